@@ -1,0 +1,243 @@
+#pragma once
+// A case as the user described it, in SI units, with the place of each item in the deck: what `deck` fills in and
+// `sim` turns into a Model. Plain data with the defaults of the program; the schema in deck/ documents each field.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fissura/core/error.hpp"
+#include "fissura/core/vec3.hpp"
+
+namespace fissura::model {
+
+using core::Place;
+
+// ---- mesh ----------------------------------------------------------------------------------------------------
+struct BoxSpec {
+  Place place;
+  std::string name = "concrete"; ///< volume group of its tets
+  Vec3 from, to;                 ///< opposite corners [m]
+  std::array<int, 3> cells{1, 1, 1};
+  int tets_per_cell = 6;                  ///< 6 (Kuhn) or 24
+  std::array<double, 3> grading{1, 1, 1}; ///< last cell length / first cell length along each axis
+};
+struct MeshSpec {
+  Place place;
+  std::vector<BoxSpec> boxes;
+  std::string file;          ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
+  double length_unit = 1;    ///< metres per length unit of the file
+  double element_size = 0;   ///< target size for .geo [m]; 0 = as the file says
+};
+
+// ---- where ---------------------------------------------------------------------------------------------------
+/// Picks mesh points (supports, forces), faces (tractions, by their three points) or joints and tets (by centroid).
+struct Selector {
+  enum class Kind { all, group, plane, box, point, line };
+  Place place;
+  Kind kind = Kind::all;
+  std::string group;    ///< kind group: volume, surface, curve or point group
+  int axis = 0;         ///< kind plane: 0, 1, 2 = x, y, z
+  double at = 0;        ///< kind plane: coordinate [m]
+  Vec3 from, to;        ///< kind box: opposite corners; kind line: its ends; kind point: from [m]
+  double tolerance = 0; ///< distance that still counts [m]; 0 = 1e-6 of the mesh's largest extent. point: nearest node if 0
+};
+
+// ---- functions of time -----------------------------------------------------------------------------------------
+/// A function of the time since the start of its stage; 0 before, its last value afterwards.
+struct Curve {
+  enum class Kind { constant, ramp, table, cycles };
+  Kind kind = Kind::constant;
+  double value = 0;            ///< constant, and the plateau of a ramp
+  double over = 0;             ///< ramp: rise time [s], smooth (zero slope and curvature at both ends)
+  std::vector<double> times;   ///< table: times [s], increasing; linear between
+  std::vector<double> values;  ///< table: values
+  std::vector<double> peaks;   ///< cycles: amplitudes; each is visited +, -, `repeats` times
+  double period = 0;           ///< cycles: duration of one full cycle [s]
+  int repeats = 1;
+  bool one_sided = false;      ///< cycles: 0 -> +a -> 0 instead of 0 -> +a -> -a -> 0
+};
+
+// ---- materials -------------------------------------------------------------------------------------------------
+enum class TetLaw { hyperelastic, paper };
+enum class JointLaw { energy_consistent, paper };
+enum class ShearStrength { mohr_coulomb, constant };
+enum class ElementSize { volume, joint_edge, given }; ///< the h of o_p = 2 h f_t/p
+enum class SofteningRange { exact, y3d };
+
+struct ConcreteSpec {
+  Place place;
+  std::string name;
+  std::vector<std::string> groups; ///< volume groups; empty = all groups no other material names
+  double E = 0, nu = 0.2, density = 2500;
+  double density_factor = 1;       ///< mass scaling
+  double f_t = 0;                  ///< tensile strength [Pa]
+  double f_c = 0;                  ///< compressive strength [Pa]
+  double G_f = 0;                  ///< mode I [J/m2]; 0 = 73 f_cm^0.18 (fib MC2010) with f_cm = f_c
+  double G_s = 0;                  ///< mode II; 0 = G_f
+  TetLaw tet_law = TetLaw::hyperelastic;
+  double mu_bar = 0;               ///< viscous damping [Pa s]
+  bool joints = true;              ///< false: tets of this material are bonded to each other, no joints between them
+  bool crackable = true;           ///< false: its joints stay linear elastic
+  double penalty = 0;              ///< p [Pa]; the deck gives it as a multiple of E (default 20 E) or as a stress
+  ElementSize element_size = ElementSize::volume;
+  double h = 0;                    ///< [m] for ElementSize::given
+  JointLaw joint_law = JointLaw::energy_consistent;
+  SofteningRange softening_range = SofteningRange::exact;
+  ShearStrength shear = ShearStrength::mohr_coulomb;
+  double friction_angle = 0.6283185307179586; ///< phi [rad]; 36 degrees
+  double cohesion = 0;             ///< c [Pa]; 0 = f_c (1 - sin phi)/(2 cos phi)
+  double f_s = 0;                  ///< [Pa] for ShearStrength::constant
+  double friction = 0.6;           ///< mu of the crack faces
+};
+
+/// Changes joints whose centroid lies in a region: notches, grips, layers near loads.
+struct JointRegionSpec {
+  Place place;
+  Selector where;
+  double strength_factor = 1; ///< multiplies f_t, f_s (c), not G_f
+  bool crackable = true;
+  bool only_axis = false;     ///< notch: only joints whose normal lies within 10 degrees of `axis`
+  int axis = 0;
+};
+
+enum class SteelLaw { kato, menegotto_pinto };
+struct SteelSpec {
+  Place place;
+  std::string name;
+  double E_s = 200e9, f_y = 0, f_u = 0, eps_sh = 0.015, eps_u = 0.1, eps_br = 0.12, density = 7850;
+  SteelLaw law = SteelLaw::kato;
+};
+
+enum class CrackSpacing { automatic, element_size, given };
+struct BarSpec {
+  Place place;
+  std::string name, steel;
+  double diameter = 0;       ///< D [m]
+  double area = 0;           ///< A_s [m2]; 0 = pi D^2/4 (a lumped bar may give both)
+  std::vector<Vec3> points;  ///< polyline
+  std::string curve;         ///< instead of points: a line group of the mesh file
+  bool closed = false;
+  int count = 1;
+  Vec3 spacing;              ///< offset from one copy to the next
+  double initial_strain = 0; ///< imposed elongation (prestress > 0 stretches the steel)
+  CrackSpacing crack_spacing = CrackSpacing::automatic;
+  double l_cr = 0;           ///< [m] for CrackSpacing::given
+};
+enum class BarBetweenCracks { slip_only, elastic };
+struct BarSettings {
+  BarBetweenCracks between_cracks = BarBetweenCracks::slip_only;
+  bool dowel = true;
+};
+
+// ---- loads and supports ----------------------------------------------------------------------------------------
+struct SupportSpec {
+  Place place;
+  std::string name;
+  Selector where;
+  std::array<bool, 3> fix{false, false, false};
+};
+struct MotionSpec { ///< prescribed displacement or velocity of one component
+  Place place;
+  std::string name, stage;  ///< stage whose start is t = 0 of the curve; empty = start of the run
+  Selector where;
+  int axis = 0;
+  bool is_velocity = false; ///< the curve is a velocity [m/s] instead of a displacement [m]
+  Curve curve;
+};
+struct ForceSpec { ///< total force on the selected points, shared equally
+  Place place;
+  std::string name, stage;
+  Selector where;
+  Vec3 direction; ///< unit vector
+  Curve curve;    ///< [N]
+};
+struct TractionSpec { ///< on the selected boundary faces, in their reference area
+  Place place;
+  std::string name, stage;
+  Selector where;
+  bool normal = false; ///< along the inner normal (a pressure) instead of `direction`
+  Vec3 direction;
+  Curve curve; ///< [Pa]
+};
+struct GravitySpec {
+  bool on = false;
+  Place place;
+  std::string stage;
+  Vec3 direction{0, 0, -1};
+  Curve curve; ///< [m/s2]
+};
+
+// ---- run -------------------------------------------------------------------------------------------------------
+struct StageSpec {
+  Place place;
+  std::string name;
+  double duration = 0;       ///< [s]
+  double mass_damping = -1;  ///< [1/s]; < 0 = the run's
+  double local_damping = -1; ///< [-]; < 0 = the run's
+  double settle = 0;         ///< > 0: end the stage early once kinetic/internal energy stays below this
+};
+struct RunSpec {
+  double end_time = 0;       ///< [s]; 0 = the sum of the stages
+  double dt_factor = 0.9;    ///< of the stable step
+  double dt = 0;             ///< > 0: a fixed step [s]
+  double mass_damping = 0;   ///< c of F = -c m v [1/s]
+  double local_damping = 0;  ///< alpha of F = -alpha |f| sign(v) [-]
+  int threads = 0;           ///< 0 = all
+  long max_steps = 0;        ///< 0 = no limit
+  int energy_every = 50;     ///< steps between two readings of the ledger
+  double residual_warn = 0.01, residual_stop = 0.05;
+};
+struct GaugeSpec {
+  enum class Kind { displacement, velocity, reaction, force, bar, crack_width, mean_strain };
+  Place place;
+  std::string name;
+  Kind kind = Kind::displacement;
+  Selector where;                ///< displacement, velocity: mean over the picked points
+  int axis = 0;
+  std::vector<std::string> of;   ///< reaction: supports or motions; force: forces and tractions (summed)
+  double factor = 1;             ///< multiplies the reading (sign, symmetry)
+  std::string zero_at;           ///< name of a stage: readings are relative to the one at its start
+  std::string bar;               ///< bar: name, and copy number for count > 1
+  int copy = 0;
+  std::string quantity;          ///< bar: stress, joint_stress, joint_strain, slip, normalised_slip, dowel_force
+  Vec3 from, to;                 ///< bar: place nearest to from; crack_width, mean_strain: the line
+};
+struct StopSpec {
+  Place place;
+  std::string gauge;
+  double above = 0, below = 0;
+  bool has_above = false, has_below = false;
+  double falls_to = 0;     ///< > 0: stop when |gauge| has fallen to this share of its largest |value| ...
+  double after = 0;        ///< ... once that largest |value| exceeds this
+};
+struct OutputSpec {
+  int history_points = 1000;  ///< rows of history.csv over the run (about)
+  double history_every = 0;   ///< [s]; > 0 wins
+  int frames = 20;            ///< VTU frames over the run (about)
+  double frames_every = 0;    ///< [s]; > 0 wins
+  double magnify = 1;         ///< no effect on the run; default warp factor of the pictures
+};
+
+struct Case {
+  std::string title;
+  std::string deck_file, folder; ///< where it was read; the folder resolves relative paths
+  MeshSpec mesh;
+  std::vector<ConcreteSpec> concretes;
+  std::vector<JointRegionSpec> joint_regions;
+  std::vector<SteelSpec> steels;
+  BarSettings bar_settings;
+  std::vector<BarSpec> bars;
+  std::vector<SupportSpec> supports;
+  std::vector<MotionSpec> motions;
+  std::vector<ForceSpec> forces;
+  std::vector<TractionSpec> tractions;
+  GravitySpec gravity;
+  std::vector<StageSpec> stages; ///< in order; empty = one stage "run" of end_time
+  RunSpec run;
+  std::vector<GaugeSpec> gauges;
+  std::vector<StopSpec> stops;
+  OutputSpec output;
+};
+
+} // namespace fissura::model
