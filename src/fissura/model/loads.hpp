@@ -1,0 +1,49 @@
+#pragma once
+// Supports, prescribed motions and applied forces, resolved to nodes.
+#include <string>
+#include <vector>
+
+#include "fissura/core/vec3.hpp"
+#include "fissura/model/case.hpp"
+
+namespace fissura::model {
+
+/// A curve with the time at which its stage starts.
+struct TimedCurve {
+  Curve curve;
+  double start = 0; ///< [s]
+};
+
+/// One component of a set of nodes that follows a prescribed motion (a support: none).
+struct Prescribed {
+  std::string name;
+  int axis = 0;
+  bool is_velocity = false;
+  TimedCurve motion;
+  std::vector<int> nodes; ///< all copies, ascending
+};
+
+/// A force on corners of tets: pattern times curve.
+struct AppliedForce {
+  struct Entry {
+    int slot, corner; ///< in the overlay
+    Vec3 share;       ///< [-] for forces, [m2] for tractions
+  };
+  std::string name;
+  TimedCurve curve; ///< [N] or [Pa]
+  std::vector<Entry> entries;
+};
+
+struct Gravity {
+  bool on = false;
+  Vec3 direction;
+  TimedCurve curve; ///< [m/s2]
+};
+
+struct Stage {
+  std::string name;
+  double start = 0, end = 0; ///< [s]
+  double mass_damping = 0, local_damping = 0, settle = 0;
+};
+
+} // namespace fissura::model

@@ -1,0 +1,59 @@
+#pragma once
+// Everything that changes in time and must survive a restart. Scratch holds what may be lost.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fissura/core/buffer.hpp"
+#include "fissura/laws/cohesive.hpp"
+#include "fissura/state/bar_state.hpp"
+#include "fissura/state/overlay.hpp"
+
+namespace fissura::state {
+
+/// What has become of a joint. A crack-face pair still carries compression and friction; a released one nothing.
+enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, released = 3 };
+
+struct JointHistory {
+  std::array<laws::CohesiveHistory, 3> point{}; ///< at the mid-edges 01, 12, 20
+  laws::Dissipation dissipated{};               ///< [J]
+  double time_of_failure = 0;                   ///< [s]; 0 = not failed
+};
+
+/// The accounts of the energy ledger [J]. Work is put in, everything else is where it went.
+struct Ledger {
+  double work_supports = 0, work_forces = 0, work_gravity = 0;  ///< external work up to u_n
+  double viscous = 0, mass_damping = 0, local_damping = 0;      ///< dissipated
+  double absolute_work = 0;                                     ///< sum of |dW_ext|
+};
+
+struct State {
+  long step = 0;     ///< completed steps: u is at step * dt
+  double time = 0;   ///< [s]
+  int stage = 0;     ///< current stage
+  core::Buffer<double> u; ///< [node][4] displacements at step n [m]
+  core::Buffer<double> v; ///< [node][4] velocities at n - 1/2 [m/s]
+  core::Buffer<std::uint8_t> joint_status;    ///< JointStatus, padded to blocks
+  core::Buffer<JointHistory> joint_history;   ///< untouched pages cost nothing
+  BarState bars;
+  std::vector<double> reaction;               ///< per Prescribed: sum of reactions at step n [N]
+  std::vector<double> stage_start;            ///< actual start time of each stage (a stage may end early) [s]
+  Ledger ledger;
+};
+
+/// Sums over chunks of tets that one step leaves behind.
+struct TetSums {
+  double viscous = 0, mass_damping = 0, local_damping = 0; ///< [J] dissipated in this step
+  double gravity = 0;                                      ///< [J] work of gravity over u_n -> u_(n+1)
+  double kinetic = 0;                                      ///< [J] at step n; only when asked for
+};
+
+struct Scratch {
+  core::Buffer<double> joint_force; ///< [joint][3][4] on side a (b gets the opposite) [N]; a zero entry at the end
+  core::Buffer<double> corner_force; ///< [node][4], used only with bonded nodes [N]
+  Overlay overlay;
+  BarScratch bars;
+  std::vector<TetSums> tet_sums;     ///< per chunk
+};
+
+} // namespace fissura::state
