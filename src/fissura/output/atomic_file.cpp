@@ -1,0 +1,75 @@
+#include "fissura/output/atomic_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <utility>
+
+#include "fissura/core/error.hpp"
+
+namespace fissura::output {
+
+void throw_io_error(std::string_view doing, std::string const& path, int errno_value) {
+  throw core::Error(core::Failure::io,
+                    fmt::format("cannot {} '{}': {}", doing, path, std::strerror(errno_value)));
+}
+
+void write_all(int descriptor, std::string_view bytes, std::string const& path) {
+  while (!bytes.empty()) {
+    ssize_t const written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      throw_io_error("write", path, errno);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+namespace {
+
+/// Makes the rename itself durable. Some network file systems refuse to flush a folder; the data is safe anyway.
+void flush_folder_of(std::string const& path) {
+  auto const slash = path.rfind('/');
+  std::string const folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+  int const descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw_io_error("open the folder", folder, errno);
+  int const failed = ::fsync(descriptor) != 0 ? errno : 0;
+  ::close(descriptor);
+  if (failed != 0 && failed != EINVAL && failed != ENOTSUP) throw_io_error("flush the folder", folder, failed);
+}
+
+} // namespace
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), temporary_(path_ + ".part") {
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw_io_error("open", temporary_, errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (temporary_.empty()) return;
+  if (descriptor_ >= 0) ::close(descriptor_);
+  ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  write_all(descriptor_, bytes, temporary_);
+}
+
+void AtomicFile::commit() {
+  if (::fsync(descriptor_) != 0) throw_io_error("flush", temporary_, errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) throw_io_error("close", temporary_, errno);
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("rename to", path_, errno);
+  temporary_.clear();
+  flush_folder_of(path_);
+}
+
+void replace_file(std::string const& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+} // namespace fissura::output

@@ -1,0 +1,37 @@
+#pragma once
+// A file that appears whole or not at all: written under a temporary name, flushed to the disk, then renamed. A
+// reader (ParaView on a running job, a plot script) never sees half of it, and a crash leaves the previous version.
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace fissura::output {
+
+/// Throws core::Error(Failure::io) "cannot <doing> '<path>': <text of errno>".
+[[noreturn]] void throw_io_error(std::string_view doing, std::string const& path, int errno_value);
+
+/// Writes all bytes to a descriptor, continuing after short writes and interrupts; throws as above.
+void write_all(int descriptor, std::string_view bytes, std::string const& path);
+
+class AtomicFile {
+ public:
+  /// Opens "<path>.part" for writing; throws core::Error(Failure::io) if that fails.
+  explicit AtomicFile(std::string path);
+  /// Without commit() the temporary is removed and `path` stays as it was.
+  ~AtomicFile();
+  AtomicFile(AtomicFile const&) = delete;
+  AtomicFile& operator=(AtomicFile const&) = delete;
+
+  void write(std::string_view bytes);
+  /// Flushes to the disk and renames; every failing call throws and leaves `path` as it was.
+  void commit();
+
+ private:
+  std::string path_, temporary_;
+  int descriptor_ = -1;
+};
+
+/// The whole of `text` as the new content of `path`.
+void replace_file(std::string const& path, std::string_view text);
+
+} // namespace fissura::output
