@@ -27,6 +27,7 @@ function(fissura_tests kind module)
   set(target ${kind}_${module})
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE fissura_${module} GTest::gtest GTest::gtest_main)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
     FISSURA_EXAMPLES="${PROJECT_SOURCE_DIR}/examples" FISSURA_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/${kind}/${module}")
   gtest_discover_tests(${target} TEST_PREFIX "${kind}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
