@@ -30,7 +30,8 @@ void write_all(int descriptor, std::string_view bytes, std::string const& path) 
 
 namespace {
 
-/// Makes the rename itself durable. Some network file systems refuse to flush a folder; the data is safe anyway.
+/// Makes the rename itself durable. Some network file systems refuse to flush a folder; the data is safe
+/// anyway.
 void flush_folder_of(std::string const& path) {
   auto const slash = path.rfind('/');
   std::string const folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
@@ -38,7 +39,8 @@ void flush_folder_of(std::string const& path) {
   if (descriptor < 0) throw_io_error("open the folder", folder, errno);
   int const failed = ::fsync(descriptor) != 0 ? errno : 0;
   ::close(descriptor);
-  if (failed != 0 && failed != EINVAL && failed != ENOTSUP) throw_io_error("flush the folder", folder, failed);
+  if (failed != 0 && failed != EINVAL && failed != ENOTSUP)
+    throw_io_error("flush the folder", folder, failed);
 }
 
 } // namespace

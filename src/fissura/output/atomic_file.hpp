@@ -1,6 +1,7 @@
 #pragma once
-// A file that appears whole or not at all: written under a temporary name, flushed to the disk, then renamed. A
-// reader (ParaView on a running job, a plot script) never sees half of it, and a crash leaves the previous version.
+// A file that appears whole or not at all: written under a temporary name, flushed to the disk, then renamed.
+// A reader (ParaView on a running job, a plot script) never sees half of it, and a crash leaves the previous
+// version.
 #include <cstddef>
 #include <string>
 #include <string_view>

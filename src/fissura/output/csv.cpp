@@ -32,9 +32,13 @@ CsvWriter::CsvWriter(std::string path, std::vector<Column> const& columns)
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw_io_error("open", path_, errno);
   std::string header = "time [s]";
-  for (Column const& c : columns) header += "," + quoted(fmt::format("{} [{}]", c.name, c.unit));
+  for (Column const& c : columns) {
+    header += ',';
+    header += quoted(fmt::format("{} [{}]", c.name, c.unit));
+  }
+  header += '\n';
   try {
-    write_all(descriptor_, header + "\n", path_);
+    write_all(descriptor_, header, path_);
   } catch (...) {
     ::close(descriptor_); // no destructor runs for an object that was never built
     throw;

@@ -1,6 +1,6 @@
 #pragma once
-// The curves of a run as text (history.csv): one header line with units, one row per reading, nothing that differs
-// between two runs of the same case.
+// The curves of a run as text (history.csv): one header line with units, one row per reading, nothing that
+// differs between two runs of the same case.
 #include <fmt/format.h>
 #include <span>
 #include <string>
@@ -15,18 +15,19 @@ struct Column {
 
 class CsvWriter {
  public:
-  /// Creates (empties) the file and writes `time [s],<name> [<unit>],...`; names are quoted where they must be.
-  /// Throws core::Error(Failure::io) with path and reason, here and below.
+  /// Creates (empties) the file and writes `time [s],<name> [<unit>],...`; names are quoted where they must
+  /// be. Throws core::Error(Failure::io) with path and reason, here and below.
   CsvWriter(std::string path, std::vector<Column> const& columns);
   ~CsvWriter();
   CsvWriter(CsvWriter const&) = delete;
   CsvWriter& operator=(CsvWriter const&) = delete;
 
-  /// Appends one row in one write, so that a reader sees whole lines: the shortest digits that read back as the
-  /// same doubles. Throws core::Error(Failure::run) if the number of values is not that of the columns.
+  /// Appends one row in one write, so that a reader sees whole lines: the shortest digits that read back as
+  /// the same doubles. Throws core::Error(Failure::run) if the number of values is not that of the columns.
   void row(double time, std::span<double const> values);
 
-  /// Flushes to the disk and closes; a later row() is an error. Call it at the end: the destructor cannot report.
+  /// Flushes to the disk and closes; a later row() is an error. Call it at the end: the destructor cannot
+  /// report.
   void close();
 
  private:

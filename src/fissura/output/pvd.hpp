@@ -9,10 +9,10 @@ class PvdWriter {
  public:
   explicit PvdWriter(std::string path) : path_(std::move(path)) {}
 
-  /// Adds the frame at `time` [s] and rewrites the list at once, whole or not at all. Several files of one frame
-  /// become its parts 0, 1, ... File names are relative to the folder of the list. Throws core::Error(Failure::io).
+  /// Adds the frame at `time` [s] and rewrites the list at once, whole or not at all. Several files of one
+  /// frame become its parts 0, 1, ... File names are relative to the folder of the list. Throws
+  /// core::Error(Failure::io).
   void add(double time, std::vector<std::string> const& files);
-  void add(double time, std::string const& file) { add(time, std::vector<std::string>{file}); }
 
  private:
   struct Entry {

@@ -19,11 +19,16 @@ namespace {
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
 
 template <class T> constexpr char const* vtk_type() {
-  if constexpr (std::is_same_v<T, float>) return "Float32";
-  else if constexpr (std::is_same_v<T, double>) return "Float64";
-  else if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
-  else if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
-  else return "Int64";
+  if constexpr (std::is_same_v<T, float>)
+    return "Float32";
+  else if constexpr (std::is_same_v<T, double>)
+    return "Float64";
+  else if constexpr (std::is_same_v<T, std::uint8_t>)
+    return "UInt8";
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return "Int32";
+  else
+    return "Int64";
 }
 
 template <class T> std::string_view bytes_of(std::vector<T> const& values) {
@@ -55,17 +60,19 @@ class AppendedData {
   throw core::Error(core::Failure::run, fmt::format("cannot write '{}': {}", path, why));
 }
 
-void check_fields(std::string const& path, std::span<Array const> arrays, std::size_t count, char const* place) {
+void check_fields(std::string const& path, std::span<Array const> arrays, std::size_t count,
+                  char const* place) {
   for (Array const& a : arrays) {
     std::size_t const size = std::visit([](auto const& v) { return v.size(); }, a.values);
     if (a.components < 1 || size != count * static_cast<std::size_t>(a.components)) {
-      refuse(path, fmt::format("array '{}' has {} values for {} {} of {} components", a.name, size, count, place,
-                               a.components));
+      refuse(path, fmt::format("array '{}' has {} values for {} {} of {} components", a.name, size, count,
+                               place, a.components));
     }
   }
 }
 
-/// A file that a viewer would crash on must not be written: it would hide the mistake until long after the run.
+/// A file that a viewer would crash on must not be written: it would hide the mistake until long after the
+/// run.
 void check(std::string const& path, Grid const& g) {
   if (g.offsets.size() != g.types.size()) {
     refuse(path, fmt::format("{} cell offsets but {} cell types", g.offsets.size(), g.types.size()));
@@ -76,7 +83,8 @@ void check(std::string const& path, Grid const& g) {
     begin = end;
   }
   if (begin != static_cast<std::int64_t>(g.connectivity.size())) {
-    refuse(path, fmt::format("the last cell ends at {} of {} connectivity entries", begin, g.connectivity.size()));
+    refuse(path,
+           fmt::format("the last cell ends at {} of {} connectivity entries", begin, g.connectivity.size()));
   }
   for (std::int64_t const point : g.connectivity) {
     if (point < 0 || point >= static_cast<std::int64_t>(g.points.size())) {
@@ -105,7 +113,8 @@ void add_fields(AppendedData& data, pugi::xml_node parent, std::vector<Array> co
 void describe(pugi::xml_node root, Grid const& g, AppendedData& data) {
   root.append_attribute("type") = "UnstructuredGrid";
   root.append_attribute("version") = "1.0";
-  root.append_attribute("byte_order") = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  root.append_attribute("byte_order") =
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   root.append_attribute("header_type") = "UInt64";
   root.append_attribute("compressor") = "vtkZLibDataCompressor";
   pugi::xml_node piece = root.append_child("UnstructuredGrid").append_child("Piece");

@@ -1,6 +1,6 @@
 #pragma once
-// One frame of cells with their fields as a VTK unstructured grid (.vtu): appended raw data in zlib blocks, which
-// ParaView, VisIt and tools/fissura_io.py read.
+// One frame of cells with their fields as a VTK unstructured grid (.vtu): appended raw data in zlib blocks,
+// which ParaView, VisIt and tools/fissura_io.py read.
 #include <cstdint>
 #include <string>
 #include <variant>

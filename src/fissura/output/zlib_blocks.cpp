@@ -24,10 +24,12 @@ std::string zlib_blocks(std::string_view bytes, std::size_t block_size) {
   for (std::size_t b = 0; b < blocks; ++b) {
     std::string_view const block = bytes.substr(b * block_size, block_size);
     uLongf size = packed.size();
-    // Level 1: a frame must not hold up the run; higher levels save a few per cent on doubles and cost far more.
+    // Level 1: a frame must not hold up the run; higher levels save a few per cent on doubles and cost far
+    // more.
     int const status = ::compress2(packed.data(), &size, reinterpret_cast<Bytef const*>(block.data()),
                                    block.size(), Z_BEST_SPEED);
-    if (status != Z_OK) throw core::Error(core::Failure::run, fmt::format("zlib failed: {}", ::zError(status)));
+    if (status != Z_OK)
+      throw core::Error(core::Failure::run, fmt::format("zlib failed: {}", ::zError(status)));
     header[3 + b] = size;
     out.append(reinterpret_cast<char const*>(packed.data()), size);
   }

@@ -1,0 +1,80 @@
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+
+#include "fissura/core/error.hpp"
+#include "fissura/output/csv.hpp"
+#include "temporary_folder.hpp"
+
+namespace fissura::output {
+namespace {
+
+using testing::read_bytes;
+using testing::TemporaryFolder;
+
+// Requirement: the header names every column with its unit, and names with commas, quotes or line breaks are
+// quoted.
+TEST(Csv, HeaderHasUnitsAndQuotes) {
+  TemporaryFolder folder;
+  CsvWriter csv(folder / "h.csv", {{"load", "N"}, {"damage", "-"}, {"a,b", "m"}, {"the \"top\"\nbar", "Pa"}});
+  csv.close();
+  EXPECT_EQ(read_bytes(folder / "h.csv"),
+            "time [s],load [N],damage [-],\"a,b [m]\",\"the \"\"top\"\"\nbar [Pa]\"\n");
+}
+
+// Requirement: each row is in the file as soon as it is written, so that a running job can be watched.
+TEST(Csv, RowsAppearAtOnce) {
+  TemporaryFolder folder;
+  CsvWriter csv(folder / "h.csv", {{"load", "N"}});
+  csv.row(0, std::vector{1.5});
+  EXPECT_EQ(read_bytes(folder / "h.csv"), "time [s],load [N]\n0,1.5\n");
+  csv.row(0.25, std::vector{-2e-9});
+  EXPECT_EQ(read_bytes(folder / "h.csv"), "time [s],load [N]\n0,1.5\n0.25,-2e-09\n");
+}
+
+// Requirement: every double reads back as the same bits, and no more digits are written than that needs.
+TEST(Csv, DoublesRoundTrip) {
+  TemporaryFolder folder;
+  std::vector<double> const values{0.1,   1.0 / 3, 6.02214076e23, 5e-324, std::numeric_limits<double>::max(),
+                                   -1e-5, 1e22,    123456789.125, -0.0,   std::nextafter(1.0, 2.0)};
+  std::vector<Column> const columns(values.size(), Column{"v", "-"});
+  CsvWriter csv(folder / "h.csv", columns);
+  csv.row(0.30000000000000004, values);
+  csv.close();
+  std::istringstream lines(read_bytes(folder / "h.csv"));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  EXPECT_EQ(line.substr(0, 24), "0.30000000000000004,0.1,");
+  std::istringstream fields(line);
+  std::string field;
+  std::getline(fields, field, ',');
+  for (double const expected : values) {
+    ASSERT_TRUE(std::getline(fields, field, ','));
+    double const read = std::strtod(field.c_str(), nullptr);
+    EXPECT_EQ(read, expected);
+    EXPECT_EQ(std::signbit(read), std::signbit(expected));
+  }
+}
+
+// Requirement: a row of the wrong length is refused and nothing of it reaches the file.
+TEST(Csv, RefusesRowsOfWrongLength) {
+  TemporaryFolder folder;
+  CsvWriter csv(folder / "h.csv", {{"load", "N"}});
+  EXPECT_THROW(csv.row(0, std::vector{1.0, 2.0}), core::Error);
+  csv.close();
+  EXPECT_EQ(read_bytes(folder / "h.csv"), "time [s],load [N]\n");
+}
+
+// Requirement: writing after close() is an I/O failure, not silence.
+TEST(Csv, RowAfterCloseFails) {
+  TemporaryFolder folder;
+  CsvWriter csv(folder / "h.csv", {});
+  csv.close();
+  EXPECT_THROW(csv.row(0, {}), core::Error);
+}
+
+} // namespace
+} // namespace fissura::output
