@@ -28,6 +28,7 @@ struct MeshSpec {
   std::string file;          ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
   double length_unit = 1;    ///< metres per length unit of the file
   double element_size = 0;   ///< target size for .geo [m]; 0 = as the file says
+  bool allow_outside = false; ///< the file may lie outside the deck's folder
 };
 
 // ---- where ---------------------------------------------------------------------------------------------------
