@@ -1,0 +1,96 @@
+# Thin: every target is one or two commands that can be typed by hand. `make demo` needs only a Debian 12.
+BUILD    ?= build
+PREFIX   ?= /usr/local
+JOBS     ?= $(shell nproc)
+PYTHON   ?= /usr/bin/python3
+SUDO     := $(if $(filter 0,$(shell id -u)),,sudo)
+PROGRAM  := $(BUILD)/fissura
+
+# A compiler cache is used where there is one and never asked for.
+ifneq ($(shell command -v ccache),)
+export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
+endif
+
+PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtbb-dev libtomlplusplus-dev libudunits2-dev libcli11-dev \
+  libfmt-dev libspdlog-dev libgmsh-dev libpugixml-dev zlib1g-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev \
+  python3-numpy python3-matplotlib
+TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev
+DOCS_PACKAGES    := mkdocs
+FORMAT_PACKAGES  := clang-format
+
+# $(call install_packages,LIST): asks apt only if something is missing.
+define install_packages
+@missing=""; for p in $(1); do \
+  dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'install ok installed' || missing="$$missing $$p"; done; \
+if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update -qq && \
+  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
+endef
+
+.PHONY: help setup setup-program setup-tests setup-docs setup-format build build-all demo test verify validate \
+  figures pictures bench docs format install clean
+
+help:
+	@echo "make demo      install what is missing, build, run a small beam to failure, draw its curve"
+	@echo "make test      install what is missing, build all, run all tests"
+	@echo "make build     build the program only: $(PROGRAM)"
+	@echo "make verify    run the verification cases: $(BUILD)/verification.csv"
+	@echo "make validate  run the long cases"
+	@echo "make figures   draw the paper's figures from runs    make pictures  draw the crack pictures"
+	@echo "make bench | docs | format | install [PREFIX=...] | clean"
+
+setup: setup-tests
+setup-program:
+	$(call install_packages,$(PROGRAM_PACKAGES))
+setup-tests:
+	$(call install_packages,$(TEST_PACKAGES))
+setup-docs:
+	$(call install_packages,$(DOCS_PACKAGES))
+setup-format:
+	$(call install_packages,$(FORMAT_PACKAGES))
+
+build: setup-program
+	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=OFF
+	cmake --build $(BUILD) -j $(JOBS) --target fissura
+
+build-all: setup-tests
+	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS)
+
+demo: build
+	$(PROGRAM) run examples/00_demo_beam/case.toml --out runs/demo --force
+	$(PYTHON) tools/plot_history.py runs/demo --x deflection --y load --peak -o runs/demo/load_deflection.png
+	@echo "run folder: runs/demo"
+
+test: build-all
+	ctest --test-dir $(BUILD) --output-on-failure -j 2
+
+verify: build
+	$(PYTHON) tools/verify.py --program $(PROGRAM) --out $(BUILD)/verification.csv
+
+validate: build
+	$(PYTHON) tools/verify.py --program $(PROGRAM) --long --out $(BUILD)/validation.csv
+
+figures: build
+	$(PYTHON) tools/figures.py --program $(PROGRAM)
+
+# Every run folder under runs/ that holds fields gets its crack picture.
+pictures: setup-program
+	@set -e; for fields in $(wildcard runs/*/fields.pvd); do run=$$(dirname $$fields); \
+	  $(PYTHON) tools/picture.py $$run -o $$run/crack.png; done
+
+bench: build
+	$(PROGRAM) bench
+
+docs: setup-docs
+	$(PYTHON) tools/check_links.py
+	mkdocs build --quiet --site-dir $(BUILD)/docs
+	@echo "$(BUILD)/docs/index.html"
+
+format: setup-format
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+install: build
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+clean:
+	rm -rf $(BUILD) runs
