@@ -1,7 +1,7 @@
 #include "fissura/geometry/triangle.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
 
 namespace fissura::geometry {
 
@@ -23,14 +23,23 @@ std::array<double, 3> barycentric(Triangle const& t, Vec3 p) {
 
 namespace {
 
+/// A convex polygon with room for a triangle cut by three lines.
+struct Polygon {
+  std::array<Vec3, 6> corner;
+  int corners = 0;
+  void add(Vec3 p) {
+    if (corners < 6) corner[corners++] = p;
+  }
+};
+
 /// The part of a convex polygon on the side of the line through p where `inward` points.
-std::vector<Vec3> cut(std::vector<Vec3> const& polygon, Vec3 p, Vec3 inward) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    Vec3 const a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+Polygon cut(Polygon const& polygon, Vec3 p, Vec3 inward) {
+  Polygon kept;
+  for (int i = 0; i < polygon.corners; ++i) {
+    Vec3 const a = polygon.corner[i], b = polygon.corner[(i + 1) % polygon.corners];
     double const da = dot(a - p, inward), db = dot(b - p, inward);
-    if (da >= 0) kept.push_back(a);
-    if ((da > 0 && db < 0) || (da < 0 && db > 0)) kept.push_back(a + (da / (da - db)) * (b - a));
+    if (da >= 0) kept.add(a);
+    if ((da > 0 && db < 0) || (da < 0 && db > 0)) kept.add(a + (da / (da - db)) * (b - a));
   }
   return kept;
 }
@@ -39,12 +48,12 @@ std::vector<Vec3> cut(std::vector<Vec3> const& polygon, Vec3 p, Vec3 inward) {
 
 double overlap_area(Triangle const& a, Triangle const& b) {
   Vec3 const n = normal(a);
-  std::vector<Vec3> polygon(b.begin(), b.end());
-  for (int k = 0; k < 3 && !polygon.empty(); ++k)
-    polygon = cut(polygon, a[k], cross(n, a[(k + 1) % 3] - a[k]));
+  Polygon part;
+  for (Vec3 const p : b) part.add(p);
+  for (int k = 0; k < 3; ++k) part = cut(part, a[k], cross(n, a[(k + 1) % 3] - a[k]));
   Vec3 sum;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  for (int i = 1; i + 1 < part.corners; ++i)
+    sum += cross(part.corner[i] - part.corner[0], part.corner[i + 1] - part.corner[0]);
   return 0.5 * std::abs(dot(sum, n));
 }
 
