@@ -1,0 +1,222 @@
+#!/usr/bin/python3
+"""Draws the cracks of a run: the deformed body in light grey, the cracks in it coloured by their opening and the bars
+by their stress, from the side and obliquely, as a PNG.
+
+    picture.py runs/demo -o crack.png --time last --warp 20
+
+The body is drawn as if it were translucent: cracks and bars inside it are seen. Triangles are projected orthographically
+and painted from back to front.
+"""
+import argparse
+import math
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import fissura_io as io
+
+# The pale end of the map is left out: a hairline crack must stand out from the grey body.
+CRACKS = LinearSegmentedColormap.from_list("cracks", plt.get_cmap("inferno_r")(np.linspace(0.25, 1, 256)))
+BARS = plt.get_cmap("viridis")
+# Corners of the face opposite to corner 0, 1, 2, 3 of a tet; normals point outwards.
+FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
+
+
+@dataclass
+class Scene:
+    """Deformed shapes in metres, ready to be projected."""
+    body: np.ndarray          # triangles x 3 corners x 3
+    body_group: np.ndarray
+    cracks: np.ndarray
+    opening: np.ndarray       # [mm]
+    bars: np.ndarray          # lines x 2 ends x 3
+    stress: np.ndarray        # [MPa]
+    warp: float
+
+
+def identical_points(points):
+    """Numbers the distinct positions: tets own their corners, so copies of a corner agree to the last bit."""
+    rows = np.ascontiguousarray(points + 0.0).view(np.dtype((np.void, points.dtype.itemsize * 3))).ravel()
+    return np.unique(rows, return_inverse=True)[1]
+
+
+def outer_faces(grid):
+    """Faces that one tet alone has, as rows of three point numbers, and the tet (cell) of each."""
+    tets, cells = grid.cells(io.TETRAHEDRON)
+    faces = tets[:, FACES].reshape(-1, 3)
+    keys = np.sort(identical_points(grid.points)[faces], axis=1)
+    _, first, count = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    single = np.sort(first[count == 1])
+    return faces[single], cells[single // 4]
+
+
+def round_factor(value):
+    """The next lower 1, 2 or 5 times a power of ten; a body is never drawn stiffer than it is."""
+    if not value > 1:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(m * power for m in (1, 2, 5) if m * power <= value)
+
+
+def displacement_at(grid, fields, by_position):
+    """Displacement of a grid's points: its own, or that of the body's corners at the same place."""
+    if "displacement" in grid.point_data:
+        return grid.point_data["displacement"]
+    nothing = np.zeros(3)
+    return np.array([by_position.get(p.tobytes(), nothing) for p in grid.points + 0.0]).reshape(-1, 3)
+
+
+def make_scene(run, time, warp, minimum_damage):
+    moment, files = run.frame("fields", time)
+    if not files:
+        raise io.BadFile(f"{run.folder}: no frame in fields.pvd")
+    fields = io.read_vtu(files[0])
+    moved = fields.point_data.get("displacement", np.zeros_like(fields.points))
+    extent = np.ptp(fields.points, axis=0)
+    if warp == "auto":
+        largest = np.percentile(np.linalg.norm(moved, axis=1), 99) # fragments in flight do not count
+        warp = round_factor(0.05 * extent.max() / largest) if largest > 0 else 1.0
+    warp = float(warp)
+    at = {p.tobytes(): u for p, u in zip(fields.points + 0.0, moved)}
+
+    def deformed(grid):
+        return grid.points + warp * displacement_at(grid, fields, at)
+
+    faces, cells = outer_faces(fields)
+    groups = fields.cell_data.get("group", np.zeros(fields.types.size, int))
+    scene = Scene((fields.points + warp * moved)[faces], groups[cells], np.zeros((0, 3, 3)), np.zeros(0),
+                  np.zeros((0, 2, 3)), np.zeros(0), warp)
+
+    for part in run.frame("cracks", moment)[1]:
+        grid = io.read_vtu(part)
+        triangles, which = grid.cells(io.TRIANGLE)
+        damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
+        shown = damage >= minimum_damage
+        scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
+        scene.opening = np.append(scene.opening, 1e3 * grid.cell_data["opening"][which][shown])
+    for part in run.frame("bars", moment)[1]:
+        grid = io.read_vtu(part)
+        lines, which = grid.cells(io.LINE)
+        if which.size:
+            scene.bars = np.concatenate([scene.bars, deformed(grid)[lines]])
+            scene.stress = np.append(scene.stress, 1e-6 * grid.cell_data["stress"][which])
+    return moment, scene
+
+
+def side_camera(points, up):
+    """Rows: to the right, upwards, towards the eye; the eye looks along the thinner of the two level axes."""
+    level = [a for a in range(3) if a != up]
+    extent = np.ptp(points.reshape(-1, 3), axis=0)
+    along = level[int(np.argmin(extent[level]))]
+    right = level[0] if along == level[1] else level[1]
+    basis = np.eye(3)
+    towards = np.cross(basis[right], basis[up])
+    return np.array([basis[right], basis[up], towards])
+
+
+def oblique_camera(side, turn=math.radians(32), raise_=math.radians(24)):
+    right, up, towards = side
+    eye = math.cos(turn) * towards + math.sin(turn) * right
+    right = np.cross(up, eye)
+    eye = math.cos(raise_) * eye + math.sin(raise_) * up
+    return np.array([right, np.cross(eye, right), eye])
+
+
+def greys(triangles, group, eye):
+    """Flat shading: light from over the eye's shoulder; each further group a little darker."""
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    light = eye[2] + 0.5 * eye[1] + 0.25 * eye[0]
+    brightness = 0.74 + 0.2 * np.clip(normals @ light / np.linalg.norm(light), 0, 1)
+    return np.repeat((brightness * 0.9 ** np.minimum(group, 3))[:, None], 3, axis=1)
+
+
+def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
+    seen = np.cross(scene.body[:, 1] - scene.body[:, 0], scene.body[:, 2] - scene.body[:, 0]) @ camera[2] > 0
+    body, group = scene.body[seen], scene.body_group[seen]
+    order = np.argsort((body @ camera[2]).mean(axis=1))
+    axes.add_collection(PolyCollection((body @ camera[:2].T)[order], facecolors=greys(body, group, camera)[order],
+                                       edgecolors="face", linewidths=0.2, rasterized=True))
+    if scene.stress.size:
+        order = np.argsort((scene.bars @ camera[2]).mean(axis=1))
+        axes.add_collection(LineCollection((scene.bars @ camera[:2].T)[order], array=scene.stress[order], cmap=BARS,
+                                           norm=bar_norm, linewidths=1.1, capstyle="round"))
+    if scene.opening.size:
+        depth = (scene.cracks @ camera[2]).mean(axis=1)
+        order = np.argsort(scene.opening if widest_last else depth, kind="stable")
+        # A crack seen edge-on has no area: its outline shows it.
+        axes.add_collection(PolyCollection((scene.cracks @ camera[:2].T)[order], array=scene.opening[order],
+                                           cmap=CRACKS, norm=crack_norm, edgecolors="face", linewidths=0.7))
+    corners = scene.body.reshape(-1, 3) @ camera[:2].T
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    margin = 0.02 * (high - low).max()
+    axes.set_xlim(low[0] - margin, high[0] + margin)
+    axes.set_ylim(low[1] - margin, high[1] + margin)
+    axes.set_aspect("equal")
+    axes.axis("off")
+    return (high - low) + 2 * margin
+
+
+def size_of(scene, camera):
+    return np.maximum(np.ptp(scene.body.reshape(-1, 3) @ camera[:2].T, axis=0), 1e-12)
+
+
+def draw(scene, moment, title, up, out):
+    side = side_camera(scene.body, up)
+    cameras = [side, oblique_camera(side)]
+    width = 10.0
+    heights = [min(7.0, max(1.2, width * s[1] / s[0])) for s in (size_of(scene, c) for c in cameras)]
+    bars_below = [b for b in (scene.opening.size, scene.stress.size) if b]
+    figure = plt.figure(figsize=(width, sum(heights) + 0.6 + (0.9 if bars_below else 0)), dpi=140)
+    total = figure.get_figheight()
+    crack_norm = Normalize(0, max(np.percentile(scene.opening, 99) if scene.opening.size else 1, 1e-9))
+    bar_norm = Normalize(min(0.0, scene.stress.min()), max(scene.stress.max(), 1e-9)) if scene.stress.size else None
+
+    top = total - 0.5
+    for camera, height, widest_last in zip(cameras, heights, (True, False)):
+        top -= height
+        axes = figure.add_axes([0.01, top / total, 0.98, height / total])
+        paint(axes, scene, camera, crack_norm, bar_norm, widest_last)
+    keys = []
+    if scene.opening.size:
+        keys.append((crack_norm, CRACKS, "crack opening [mm]"))
+    if scene.stress.size:
+        keys.append((bar_norm, BARS, "bar stress [MPa]"))
+    for i, (norm, colours, text) in enumerate(keys):
+        place = figure.add_axes([0.06 + 0.5 * i, 0.5 / total, 0.38, 0.14 / total])
+        figure.colorbar(ScalarMappable(norm, colours), cax=place, orientation="horizontal", label=text)
+    figure.text(0.5, 1 - 0.3 / total, f"{title}   t = {moment:.4g} s   displacements x {scene.warp:g}", ha="center")
+    figure.savefig(out)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws the cracks of a run as a PNG.")
+    parser.add_argument("run", help="run folder")
+    parser.add_argument("--time", default="last", help="seconds (the nearest frame), or last")
+    parser.add_argument("--warp", default="auto", help="factor on the displacements, or auto")
+    parser.add_argument("--up", default="z", choices="xyz", help="axis that points up in the picture")
+    parser.add_argument("--min-damage", type=float, default=0.2, help="joints with less damage are not drawn")
+    parser.add_argument("--title", help="default: the name of the run folder")
+    parser.add_argument("-o", "--out", required=True, help="PNG to write")
+    arguments = parser.parse_args()
+    try:
+        run = io.Run(arguments.run)
+        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage)
+        draw(scene, moment, arguments.title or run.folder.resolve().name, "xyz".index(arguments.up), arguments.out)
+    except (io.BadFile, OSError) as error:
+        sys.exit(f"picture: {error}")
+    print(f"picture: {arguments.out}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,262 @@
+#!/usr/bin/python3
+"""Tests of the tools: each states its requirement. Run: python3 tools/test_tools.py"""
+import json
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+TOOLS = Path(__file__).resolve().parent
+sys.path.insert(0, str(TOOLS))
+import check_arrows
+import check_links
+import fissura_io as io
+import picture
+
+VTK_NAME = {np.dtype("f4"): "Float32", np.dtype("f8"): "Float64", np.dtype("u1"): "UInt8", np.dtype("i4"): "Int32",
+            np.dtype("i8"): "Int64"}
+
+
+def packed(values, block=64):
+    raw = np.ascontiguousarray(values).tobytes()
+    blocks = [zlib.compress(raw[i:i + block]) for i in range(0, len(raw), block)]
+    sizes = [len(b) for b in blocks]
+    return struct.pack(f"<{3 + len(sizes)}Q", len(sizes), block, len(raw) % block, *sizes) + b"".join(blocks)
+
+
+def write_vtu(path, points, cells, cell_type, point_data=None, cell_data=None):
+    """Cells of one type; data: name -> (values, unit)."""
+    cells = np.asarray(cells, dtype="i8").reshape(-1, io.CORNERS[cell_type])
+    data, body = b"", ""
+    sections = {
+        "PointData": point_data or {},
+        "CellData": cell_data or {},
+        "Points": {"Points": (np.asarray(points, dtype="f8").reshape(-1, 3), "")},
+        "Cells": {"connectivity": (cells.ravel(), ""),
+                  "offsets": (np.arange(1, len(cells) + 1, dtype="i8") * cells.shape[1], ""),
+                  "types": (np.full(len(cells), cell_type, dtype="u1"), "")},
+    }
+    for section, arrays in sections.items():
+        body += f"<{section}>"
+        for name, (values, unit) in arrays.items():
+            key = f'<InformationKey name="UNITS_LABEL" location="vtkDataArray">{unit}</InformationKey>' if unit else ""
+            components = values.shape[1] if values.ndim > 1 else 1
+            body += (f'<DataArray type="{VTK_NAME[values.dtype]}" Name="{name}" NumberOfComponents="{components}" '
+                     f'format="appended" offset="{len(data)}">{key}</DataArray>')
+            data += packed(values)
+        body += f"</{section}>"
+    header = ('<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
+              'header_type="UInt64" compressor="vtkZLibDataCompressor"><UnstructuredGrid>'
+              f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">{body}</Piece></UnstructuredGrid>'
+              '<AppendedData encoding="raw">_')
+    Path(path).write_bytes(header.encode() + data + b"</AppendedData></VTKFile>")
+
+
+def write_pvd(path, entries):
+    rows = "".join(f'<DataSet timestep="{t}" part="{p}" file="{f}"/>' for t, p, f in entries)
+    Path(path).write_text(f'<VTKFile type="Collection"><Collection>{rows}</Collection></VTKFile>')
+
+
+def box_of_tets(cells, size):
+    """Kuhn tets of a box, each with its own four points."""
+    corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    kuhn = np.array([[0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6]])
+    origins = np.stack(np.meshgrid(*map(range, cells), indexing="ij"), -1).reshape(-1, 3)
+    nodes = (origins[:, None, None, :] + corner[kuhn][None]).reshape(-1, 3)
+    return nodes * (np.array(size) / np.array(cells)), np.arange(len(nodes)).reshape(-1, 4)
+
+
+def make_run(folder, cells=(12, 2, 3)):
+    """A bent, cracked beam of 3.0 x 0.15 x 0.25 m with one bar, written as a run folder."""
+    folder = Path(folder)
+    size = (3.0, 0.15, 0.25)
+    points, tets = box_of_tets(cells, size)
+
+    def bend(p):
+        u = np.zeros_like(p)
+        u[:, 2] = -0.02 * np.sin(np.pi * p[:, 0] / size[0])
+        return u
+
+    write_vtu(folder / "fields_0.vtu", points, tets, io.TETRAHEDRON, {"displacement": (bend(points), "m")},
+              {"group": (np.zeros(len(tets), "i4"), "")})
+    vertical = np.array([[[x, 0, 0], [x, 0.15, 0], [x, 0, 0.17]] for x in (1.0, 1.25, 1.5, 1.75)])
+    opening = np.array([2e-4, 6e-4, 9e-4, 1e-4])
+    write_vtu(folder / "cracks_0.vtu", vertical.reshape(-1, 3), np.arange(12).reshape(-1, 3), io.TRIANGLE,
+              {"displacement": (bend(vertical.reshape(-1, 3)), "m")},
+              {"opening": (opening, "m"), "damage": (np.array([1, 1, 1, 0.01]), "")})
+    bar = np.stack([np.linspace(0, 3, 13), np.full(13, 0.075), np.full(13, 0.04)], axis=1)
+    lines = np.stack([np.arange(12), np.arange(1, 13)], axis=1)
+    stress = 4e8 * np.sin(np.pi * (lines.mean(axis=1) / 12))
+    write_vtu(folder / "bars_0.vtu", bar, lines, io.LINE, {"displacement": (bend(bar), "m")},
+              {"stress": (stress, "Pa")})
+    for kind in ("fields", "cracks", "bars"):
+        write_pvd(folder / f"{kind}.pvd", [(0.5, 0, f"{kind}_0.vtu")])
+    (folder / "history.csv").write_text('time [s],deflection [m],load [N],"strain, mean [-]"\n0,0,0,0\n'
+                                        "0.1,0.002,50000,0.001\n0.2,0.02,64300.5,0.004\n0.3,0.03,3e4,0.005\n0.4,0.0")
+    (folder / "run.json").write_text(json.dumps({"status": "complete"}))
+    return points, tets, stress
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+
+
+class FissuraIo(WithFolder):
+    def test_vtu_reads_back(self):
+        """Requirement: points, cells, fields and units of a VTU file come back exactly, over several blocks."""
+        points, tets, stress = make_run(self.folder)
+        grid = io.read_vtu(self.folder / "fields_0.vtu")
+        np.testing.assert_array_equal(grid.points, points)
+        np.testing.assert_array_equal(grid.cells(io.TETRAHEDRON)[0], tets)
+        self.assertEqual(grid.cells(io.LINE)[0].shape, (0, 2))
+        bars = io.read_vtu(self.folder / "bars_0.vtu")
+        np.testing.assert_array_equal(bars.cell_data["stress"], stress)
+        self.assertEqual(bars.units["stress"], "Pa")
+
+    def test_empty_grid(self):
+        """Requirement: a frame without cells (no crack yet) is read as empty arrays."""
+        write_vtu(self.folder / "e.vtu", np.zeros((0, 3)), [], io.TRIANGLE, None, {"opening": (np.zeros(0), "m")})
+        self.assertEqual(io.read_vtu(self.folder / "e.vtu").cell_data["opening"].size, 0)
+
+    def test_damaged_file_is_refused(self):
+        """Requirement: a file of another kind is refused by name."""
+        (self.folder / "x.vtu").write_text("<VTKFile/>")
+        with self.assertRaisesRegex(io.BadFile, "x.vtu"):
+            io.read_vtu(self.folder / "x.vtu")
+
+    def test_history_has_units_and_ignores_the_unfinished_line(self):
+        """Requirement: columns are found with and without unit, and a row that is still being written is left out."""
+        make_run(self.folder)
+        history = io.Run(self.folder).history
+        self.assertEqual(history["load"].unit, "N")
+        np.testing.assert_array_equal(history["load [N]"].values, [0, 50000, 64300.5, 30000])
+        self.assertEqual(history["strain, mean"].unit, "-")
+        with self.assertRaisesRegex(io.BadFile, "there are: time, deflection, load"):
+            history["lod"]
+
+    def test_frames(self):
+        """Requirement: the last frame and the frame nearest to a time are found, with their parts in order."""
+        write_pvd(self.folder / "bars.pvd", [(0, 0, "a"), (1, 1, "c"), (1, 0, "b")])
+        run = io.Run(self.folder)
+        self.assertEqual(run.frame("bars"), (1.0, [self.folder / "b", self.folder / "c"]))
+        self.assertEqual(run.frame("bars", 0.4), (0.0, [self.folder / "a"]))
+        self.assertEqual(run.frame("cracks"), (None, []))
+
+
+class Picture(WithFolder):
+    def test_outer_faces_of_a_box(self):
+        """Requirement: the surface of a box is closed, points outwards and has the box's area."""
+        points, _, _ = make_run(self.folder)
+        faces, _ = picture.outer_faces(io.read_vtu(self.folder / "fields_0.vtu"))
+        corners = points[faces]
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+        self.assertAlmostEqual(np.linalg.norm(areas, axis=1).sum(), 2 * (3 * 0.15 + 3 * 0.25 + 0.15 * 0.25), places=12)
+        np.testing.assert_allclose(areas.sum(axis=0), 0, atol=1e-14)
+        volume = (corners.mean(axis=1) * areas).sum() / 3
+        self.assertAlmostEqual(volume, 3 * 0.15 * 0.25, places=12)
+
+    def test_scene_shows_damaged_joints_only(self):
+        """Requirement: joints below the damage limit are left out; openings are in mm and stresses in MPa."""
+        make_run(self.folder)
+        moment, scene = picture.make_scene(io.Run(self.folder), "last", "10", 0.2)
+        self.assertEqual(moment, 0.5)
+        np.testing.assert_allclose(scene.opening, [0.2, 0.6, 0.9])
+        self.assertLess(scene.stress.max(), 400)
+        self.assertAlmostEqual(scene.cracks[2, 0, 2], -0.2, places=12)
+
+    def test_side_view_of_a_beam(self):
+        """Requirement: from the side, the long axis runs to the right and the up axis upwards, never mirrored."""
+        points, _ = box_of_tets((4, 1, 1), (3.0, 0.15, 0.25))
+        camera = picture.side_camera(points, up=2)
+        np.testing.assert_array_equal(camera, [[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+        for basis in (camera, picture.oblique_camera(camera)):
+            np.testing.assert_allclose(basis @ basis.T, np.eye(3), atol=1e-12)
+            self.assertAlmostEqual(np.linalg.det(basis), 1)
+
+    def test_writes_a_picture(self):
+        """Requirement: the command writes a PNG in which the colours of the cracks occur, and says where."""
+        make_run(self.folder)
+        out = self.folder / "crack.png"
+        said = subprocess.run([sys.executable, TOOLS / "picture.py", self.folder, "-o", out], check=True,
+                              capture_output=True, text=True).stdout
+        self.assertIn(str(out), said)
+        import matplotlib.pyplot as plt
+        pixels = plt.imread(out)[:, :, :3]
+        colourful = np.ptp(pixels, axis=2) > 0.3
+        self.assertGreater(colourful[: pixels.shape[0] * 3 // 4].sum(), 200)
+
+    def test_missing_run(self):
+        """Requirement: a folder that is no run gives one line and exit code 1, not a traceback."""
+        done = subprocess.run([sys.executable, TOOLS / "picture.py", self.folder / "no", "-o", "x.png"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^picture: .*no such run folder\n$")
+
+
+class PlotHistory(WithFolder):
+    def test_peak_and_curve(self):
+        """Requirement: the command writes the curve and prints the peak with engineering units and its place."""
+        make_run(self.folder)
+        out = self.folder / "curve.png"
+        said = subprocess.run([sys.executable, TOOLS / "plot_history.py", self.folder, "--x", "deflection", "--y",
+                               "load", "--peak", "-o", out], check=True, capture_output=True, text=True).stdout
+        self.assertIn("peak load: 64.3 kN at deflection 20 mm", said)
+        self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+
+
+class CheckArrows(WithFolder):
+    LINES = "fissura_module(core LIBRARIES fmt::fmt)\nfissura_module(mesh NEEDS core LIBRARIES gmsh)\n" \
+            "fissura_module(laws NEEDS core)\n"
+
+    def house(self, lines=LINES, mesh='#include "fissura/core/vec3.hpp"\n', rows=("core", "mesh", "laws")):
+        source = self.folder / "src" / "fissura"
+        for name in ("core", "mesh", "laws"):
+            (source / name).mkdir(parents=True, exist_ok=True)
+        (source / "CMakeLists.txt").write_text(lines)
+        (source / "core" / "vec3.hpp").write_text("")
+        (source / "laws" / "law.hpp").write_text("")
+        (source / "mesh" / "mesh.cpp").write_text(mesh)
+        (self.folder / "docs").mkdir(exist_ok=True)
+        (self.folder / "docs" / "architecture.md").write_text("".join(f"| `{r}` | x |\n" for r in rows))
+        return check_arrows.check(self.folder)
+
+    def test_accepts_a_sound_house(self):
+        """Requirement: includes along the declared arrows are accepted."""
+        self.assertEqual(self.house(), [])
+
+    def test_finds_wrong_includes(self):
+        """Requirement: an include against the arrows, or of a header that is not there, is named by file and line."""
+        wrong = self.house(mesh='\n#include "fissura/laws/law.hpp"\n#include "fissura/core/no.hpp"\n')
+        self.assertEqual(wrong, ["mesh/mesh.cpp:2: mesh -> laws (laws/law.hpp), but mesh does not need laws",
+                                 "mesh/mesh.cpp:3: there is no fissura/core/no.hpp"])
+
+    def test_finds_needs_against_the_order(self):
+        """Requirement: a module that needs one below its own line, or none at all, is named."""
+        wrong = self.house(lines=self.LINES.replace("mesh NEEDS core", "mesh NEEDS core laws nothing"))
+        self.assertEqual(wrong, ["CMakeLists.txt: mesh needs laws, which does not lie above it",
+                                 "CMakeLists.txt: mesh needs nothing, which is no module"])
+
+    def test_every_module_is_explained(self):
+        """Requirement: a module without a row in the architecture page is named."""
+        self.assertEqual(self.house(rows=("core", "mesh")), ["laws/: no row in docs/architecture.md"])
+
+
+class CheckLinks(WithFolder):
+    def test_finds_broken_links(self):
+        """Requirement: a relative link to a missing file is named by file and line; code and the web are left alone."""
+        (self.folder / "a.md").write_text("[b](b.md#x) [web](https://example.org)\n`[c](c.md)`\n[d](d.md)\n"
+                                          "```\n[e](e.md)\n```\n")
+        (self.folder / "b.md").write_text("")
+        self.assertEqual(list(check_links.broken_links(self.folder)), ["a.md:3: d.md"])
+
+
+if __name__ == "__main__":
+    unittest.main()
