@@ -1,0 +1,91 @@
+#include "fissura/laws/steel_kato.hpp"
+
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "fissura/core/error.hpp"
+
+namespace {
+using namespace fissura::laws;
+
+SteelParams table_4() { return {210e9, 530e6, 650e6, 0.03, 0.1, 0.12, SteelLaw::kato}; }
+
+double go(SteelKato const& law, KatoHistory& h, double to, int steps = 4000) {
+  double const from = h.strain;
+  double stress = 0;
+  for (int i = 1; i <= steps; ++i) stress = law(h, from + (to - from) * i / steps);
+  return stress;
+}
+
+// The monotonic curve of Fig. 10: elastic, plateau, hardening, softening to nothing at eps_br.
+TEST(SteelKato, MonotonicCurve) {
+  SteelKato const law{table_4()};
+  KatoHistory h;
+  for (auto [strain, stress] : {std::pair{0.001, 210.0}, {0.01, 530.0}, {0.03, 530.0}, {0.05, 588.776}, {0.08, 640.204},
+                                {0.1, 650.0}, {0.11, 487.5}})
+    EXPECT_NEAR(go(law, h, strain) / 1e6, stress, 0.001) << strain;
+  EXPECT_FALSE(h.ruptured);
+  EXPECT_EQ(go(law, h, 0.12), 0);
+  EXPECT_TRUE(h.ruptured);
+  EXPECT_EQ(go(law, h, 0.05), 0);
+}
+
+// The regression path of the theory page, to 0.01 MPa.
+TEST(SteelKato, RegressionPath) {
+  SteelKato const law{table_4()};
+  KatoHistory h;
+  for (auto [strain, stress] : {std::pair{0.02, 530.0}, {0.015, -279.98}, {0.0, -520.55}, {-0.005, -537.51},
+                                {0.0, 272.47}, {0.005, 430.03}, {0.01, 485.04}, {0.02, 530.0}, {0.05, 567.43}})
+    EXPECT_NEAR(go(law, h, strain) / 1e6, stress, 0.01) << strain;
+}
+
+// A bar that has never yielded in tension is elastic and perfectly plastic in compression.
+TEST(SteelKato, CompressionFirst) {
+  SteelKato const law{table_4()};
+  KatoHistory h;
+  EXPECT_NEAR(go(law, h, -0.001) / 1e6, -210, 1e-6);
+  EXPECT_NEAR(go(law, h, -0.01) / 1e6, -530, 1e-6);
+  EXPECT_NEAR(go(law, h, -0.009) / 1e6, -320, 1e-6);
+  EXPECT_NEAR(go(law, h, 0.0) / 1e6, 530, 1e-6);
+}
+
+// Evaluating the same strain twice changes nothing.
+TEST(SteelKato, StandingStill) {
+  SteelKato const law{table_4()};
+  KatoHistory h;
+  go(law, h, 0.02);
+  double const stress = go(law, h, 0.0);
+  KatoHistory const before = h;
+  EXPECT_EQ(law(h, 0.0), stress);
+  EXPECT_EQ(h.direction, before.direction);
+  EXPECT_EQ(h.eps_v, before.eps_v);
+}
+
+// A reloading bar never passes the yield plateau below eps_y: the stress would jump back there.
+TEST(SteelKato, PlateauHoldsBelowYieldStrain) {
+  SteelKato const law{table_4()};
+  KatoHistory h;
+  go(law, h, 0.02);
+  go(law, h, -0.05);
+  double last = h.stress, worst = 0;
+  for (double strain = -0.05; strain < 0.01; strain += 1e-6) {
+    double const stress = law(h, strain);
+    worst = std::max(worst, std::abs(stress - last));
+    last = stress;
+    EXPECT_LE(stress, 530e6 * (1 + 1e-12));
+  }
+  EXPECT_LT(worst, 1.001 * 210e9 * 1e-6);
+}
+
+// Unloading gives back sigma^2/(2 E_s).
+TEST(SteelKato, RecoverableEnergy) { EXPECT_DOUBLE_EQ(steel_recoverable(table_4(), 420e6), 420e6 * 420e6 / 420e9); }
+
+// The misprint eps_br = 0.019 < eps_u of Table 6 is refused, not computed with.
+TEST(SteelKato, MisprintedRuptureStrainIsRefused) {
+  SteelParams p{190e9, 350e6, 540e6, 0.0165, 0.1, 0.019, SteelLaw::kato};
+  EXPECT_THROW(check_steel_params(p), fissura::core::Error);
+  p.eps_br = 0.12;
+  EXPECT_NO_THROW(check_steel_params(p));
+}
+} // namespace
