@@ -1,0 +1,195 @@
+#include "fissura/deck/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "fissura/deck/nearest.hpp"
+
+namespace fissura::deck {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+template <class Specs> void add_names(Names& names, Specs const& specs) {
+  for (auto const& spec : specs)
+    if (!spec.name.empty()) names.push_back(spec.name);
+}
+template <class... Specs> Names names_of(Specs const&... specs) {
+  Names names;
+  (add_names(names, specs), ...);
+  return names;
+}
+
+template <class Spec> void name_them(std::vector<Spec>& specs, std::string_view section) {
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    if (specs[i].name.empty()) specs[i].name = fmt::format("{}_{}", section, i + 1);
+}
+
+/// A reference by name; `what` names the kind of thing referred to, with its section.
+void check_reference(Reader& reader, void const* record, std::string_view key, std::string const& name,
+                     Names const& known, std::string_view what) {
+  if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  std::string hint = did_you_mean(name, known);
+  if (known.empty())
+    hint = fmt::format("; this deck has no {}", what);
+  else if (hint.empty())
+    hint = fmt::format("; there are {}", listed(known));
+  reader.error(reader.place(record, key),
+               fmt::format("`{}`: no {} is named \"{}\"{}", key, what, name, hint));
+}
+
+using Seen = std::map<std::string_view, core::Place>;
+
+template <class Specs> void check_duplicates(Reader& reader, Specs const& specs, Seen& seen) {
+  for (auto const& spec : specs) {
+    if (spec.name.empty()) continue;
+    auto const [first, fresh] = seen.emplace(spec.name, spec.place);
+    if (!fresh)
+      reader.error(reader.place(&spec, "name"),
+                   fmt::format("the name \"{}\" is taken: it stands already at {}", spec.name,
+                               core::to_string(first->second)));
+  }
+}
+/// Sections whose items are referred to by the same key share their names.
+template <class... Specs> void check_unique(Reader& reader, Specs const&... specs) {
+  Seen seen;
+  (check_duplicates(reader, specs, seen), ...);
+}
+
+void check_names(Reader& reader) {
+  auto const& c = reader.the_case;
+  check_unique(reader, c.concretes);
+  check_unique(reader, c.steels);
+  check_unique(reader, c.bars);
+  check_unique(reader, c.stages);
+  check_unique(reader, c.supports, c.motions);
+  check_unique(reader, c.forces, c.tractions);
+  check_unique(reader, c.gauges);
+}
+
+template <class Specs> void check_stages(Reader& reader, Specs const& specs, Names const& stages) {
+  for (auto const& spec : specs) check_reference(reader, &spec, "stage", spec.stage, stages, "[[stage]]");
+}
+
+void check_loads(Reader& reader) {
+  auto const& c = reader.the_case;
+  Names const stages = names_of(c.stages);
+  check_stages(reader, c.motions, stages);
+  check_stages(reader, c.forces, stages);
+  check_stages(reader, c.tractions, stages);
+  if (c.gravity.on) check_reference(reader, &c.gravity, "stage", c.gravity.stage, stages, "[[stage]]");
+}
+
+void check_bars(Reader& reader) {
+  auto const& c = reader.the_case;
+  Names const steels = names_of(c.steels);
+  for (auto const& bar : c.bars) {
+    check_reference(reader, &bar, "steel", bar.steel, steels, "[[steel]]");
+    if (!bar.curve.empty() && !c.mesh.boxes.empty())
+      reader.error(reader.place(&bar, "curve"),
+                   "`curve` names a curve of a mesh file, and this mesh is made of boxes: give `points`");
+  }
+  auto const has_f_c = [&](auto const& m) { return m.f_c > 0 || !reader.good(&m, {"f_c"}); };
+  if (!c.bars.empty() && !c.concretes.empty() &&
+      std::none_of(c.concretes.begin(), c.concretes.end(), has_f_c))
+    reader.error(c.concretes.front().place,
+                 "a material with bars needs `f_c`: bond and dowel follow from it");
+}
+
+void check_bar_gauge(Reader& reader, model::GaugeSpec const& gauge) {
+  auto const& c = reader.the_case;
+  check_reference(reader, &gauge, "bar", gauge.bar, names_of(c.bars), "[[bar]]");
+  for (auto const& bar : c.bars)
+    if (bar.name == gauge.bar && gauge.copy >= bar.count && reader.good(&bar, {"count"}))
+      reader.error(reader.place(&gauge, "copy"),
+                   fmt::format("`copy` = {}: the bar \"{}\" has {} copies, numbered from 0", gauge.copy,
+                               bar.name, bar.count));
+}
+
+void check_gauges(Reader& reader) {
+  using Kind = model::GaugeSpec::Kind;
+  auto const& c = reader.the_case;
+  Names const held = names_of(c.supports, c.motions), loads = names_of(c.forces, c.tractions),
+              stages = names_of(c.stages);
+  for (auto const& gauge : c.gauges) {
+    check_reference(reader, &gauge, "zero_at", gauge.zero_at, stages, "[[stage]]");
+    if (gauge.kind == Kind::bar) check_bar_gauge(reader, gauge);
+    for (auto const& name : gauge.of) {
+      if (gauge.kind == Kind::reaction)
+        check_reference(reader, &gauge, "of", name, held, "[[support]] or [[motion]]");
+      if (gauge.kind == Kind::force)
+        check_reference(reader, &gauge, "of", name, loads, "[[force]] or [[traction]]");
+    }
+  }
+  for (auto const& stop : c.stops)
+    check_reference(reader, &stop, "gauge", stop.gauge, names_of(c.gauges), "[[gauge]]");
+}
+
+/// Every group has one material, and at most one material takes what is left.
+void check_materials(Reader& reader) {
+  auto const& c = reader.the_case;
+  if (c.concretes.empty())
+    reader.error(core::Place{c.deck_file}, "the deck needs at least one material: [[concrete]]");
+  std::map<std::string_view, model::ConcreteSpec const*> owner;
+  model::ConcreteSpec const* rest = nullptr;
+  for (auto const& m : c.concretes) {
+    for (auto const& group : m.groups)
+      if (auto const [first, fresh] = owner.emplace(group, &m); !fresh)
+        reader.error(reader.place(&m, "groups"),
+                     fmt::format("the group \"{}\" has two materials: \"{}\" and \"{}\"", group,
+                                 first->second->name, m.name));
+    if (!m.groups.empty() || !reader.good(&m, {"groups"})) continue;
+    if (rest)
+      reader.error(
+          m.place,
+          fmt::format(
+              "the materials \"{}\" and \"{}\" have no `groups`; only one may take all groups that are left",
+              rest->name, m.name));
+    rest = &m;
+  }
+}
+
+void check_mesh(Reader& reader) {
+  auto const& c = reader.the_case;
+  if (!reader.given(&c.mesh, "file") && c.mesh.boxes.empty() && c.mesh.place.line == 0)
+    reader.error(core::Place{c.deck_file}, "the deck needs a mesh: [mesh] with `file`, or [[mesh.box]]");
+  constexpr double most_cells = 5e7;
+  double cells = 0;
+  for (auto const& box : c.mesh.boxes) cells += 1.0 * box.cells[0] * box.cells[1] * box.cells[2];
+  if (c.mesh.boxes.size() > 1 && cells > most_cells)
+    reader.error(c.mesh.place, fmt::format("the boxes make {:.3g} cells together; at most {:.0e} are allowed",
+                                           cells, most_cells));
+}
+
+void check_duration(Reader& reader) {
+  auto const& c = reader.the_case;
+  if (c.run.end_time > 0 || !c.stages.empty() || !reader.good(&c.run, {"end_time"})) return;
+  auto place = reader.place(&c.run, "end_time");
+  if (place.file.empty()) place.file = c.deck_file;
+  reader.error(place, "the run needs an end: `end_time` in [run], or [[stage]] tables");
+}
+
+} // namespace
+
+void name_the_unnamed(model::Case& c) {
+  name_them(c.concretes, "concrete");
+  name_them(c.bars, "bar");
+  name_them(c.supports, "support");
+  name_them(c.motions, "motion");
+  name_them(c.forces, "force");
+  name_them(c.tractions, "traction");
+}
+
+void check_case(Reader& reader) {
+  check_mesh(reader);
+  check_materials(reader);
+  check_names(reader);
+  check_bars(reader);
+  check_loads(reader);
+  check_gauges(reader);
+  check_duration(reader);
+}
+
+} // namespace fissura::deck

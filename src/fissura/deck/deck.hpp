@@ -1,0 +1,30 @@
+#pragma once
+// The deck: a TOML file whose values carry units -> model::Case, with all errors of one pass, and back to
+// text.
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fissura/model/case.hpp"
+
+namespace fissura::deck {
+
+/// Reads a deck. `overrides` are `key.path=value` texts of --set, an array index being a number
+/// (`concrete.0.penalty=60`); the value is TOML, and a bare word becomes a text.
+/// Throws core::InputError with every finding (file:line:column, what was expected, the nearest key), or
+/// core::Error with Failure::io where the file cannot be read.
+model::Case read_case(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
+
+/// The same from a text; `name` stands in messages, and its folder is where a mesh file is looked for.
+model::Case read_case_text(std::string_view text, std::string const& name,
+                           std::vector<std::string> const& overrides = {});
+
+/// A deck with every value of the case, defaults included, that reads back to the same case. The mesh file is
+/// named by its full path, so the echo can be read from any folder.
+std::string echo(model::Case const& the_case);
+
+/// docs/reference/deck.md, from the schema.
+std::string reference_markdown();
+
+} // namespace fissura::deck

@@ -1,0 +1,67 @@
+// [run] and [output].
+#include <fmt/format.h>
+
+#include "fissura/deck/fields.hpp"
+
+namespace fissura::deck {
+namespace {
+
+using model::OutputSpec;
+using model::RunSpec;
+using units::Dimension;
+
+void finish_run(Reader& reader, Node const&, void* record) {
+  auto const& run = *static_cast<RunSpec const*>(record);
+  if (reader.good(record, {"residual_warn", "residual_stop"}) && run.residual_stop < run.residual_warn)
+    reader.error(reader.place(record, "residual_stop"),
+                 "`residual_stop` must not be less than `residual_warn`");
+}
+
+Section run_section() {
+  Section s = single_section("run", &model::Case::run, "The run as a whole.");
+  s.finish = finish_run;
+  Fields<RunSpec> f(s.keys);
+  f.quantity("end_time", &RunSpec::end_time, Dimension::time,
+             "End of the run; 0: the sum of the stages. Required without stages.")
+      .not_negative();
+  f.number("dt_factor", &RunSpec::dt_factor, "The time step over the stable one.").range({0, 1, true, false});
+  f.quantity("dt", &RunSpec::dt, Dimension::time, "A fixed time step; 0: from the stable one.")
+      .not_negative();
+  f.quantity("mass_damping", &RunSpec::mass_damping, Dimension::rate, "c of F = -c m v.").not_negative();
+  f.number("local_damping", &RunSpec::local_damping, "alpha of F = -alpha |f| sign(v): dynamic relaxation.")
+      .range({0, 1, false, true});
+  f.integer("threads", &RunSpec::threads, "Threads; 0: all. The result does not depend on it.")
+      .range({0, 4096});
+  f.integer("max_steps", &RunSpec::max_steps, "Stops after so many steps; 0: no limit.").range({0, 1e15});
+  f.integer("energy_every", &RunSpec::energy_every, "Steps between two readings of the energy ledger.")
+      .range({1, 1e9});
+  f.number("residual_warn", &RunSpec::residual_warn, "Energy residual that warns.").positive();
+  f.number("residual_stop", &RunSpec::residual_stop, "Energy residual that stops the run.").positive();
+  return s;
+}
+
+Section output_section() {
+  Section s = single_section("output", &model::Case::output, "What is written, and how often.");
+  Fields<OutputSpec> f(s.keys);
+  f.integer("history_points", &OutputSpec::history_points, "Rows of history.csv over the run, about.")
+      .range({1, 1e7});
+  f.quantity("history_every", &OutputSpec::history_every, Dimension::time,
+             "Time between rows; > 0 wins over `history_points`.")
+      .not_negative();
+  f.integer("frames", &OutputSpec::frames, "Frames of fields, cracks and bars over the run, about; 0: none.")
+      .range({0, 1e5});
+  f.quantity("frames_every", &OutputSpec::frames_every, Dimension::time,
+             "Time between frames; > 0 wins over `frames`.")
+      .not_negative();
+  f.number("magnify", &OutputSpec::magnify, "Scale of the displacements in pictures; no effect on the run.")
+      .range({0, 1e6});
+  return s;
+}
+
+} // namespace
+
+std::vector<Section> run_sections() {
+  return {run_section(), output_section()};
+}
+
+} // namespace fissura::deck
