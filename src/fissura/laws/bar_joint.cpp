@@ -1,0 +1,81 @@
+#include "fissura/laws/bar_joint.hpp"
+
+#include <string>
+
+#include "fissura/core/error.hpp"
+
+namespace fissura::laws {
+
+namespace {
+
+/// A bar whose shear leaves it less than this share of its strength is cut.
+constexpr double least_strength = 0.01;
+/// Transverse half slip over diameter at which a bar is cut.
+constexpr double largest_offset = 3;
+
+/// Energy [J] that unloading from `sigma` to zero along the slope ds/deps gives back: A_s sigma works on 2 S.
+double recoverable(BarJointParams const& p, double slope, double sigma) {
+  return p.A_s * slope / (p.bond.normalise * p.steel.E_s) * sigma * sigma;
+}
+
+bool must_rupture(BarJointParams const& p, BarJointHistory const& h, double t_s) {
+  return h.strain > p.steel.eps_br || t_s >= largest_offset * p.D || h.dowel.strength <= least_strength;
+}
+
+} // namespace
+
+BarJointParams make_bar_joint_params(BarJointInput const& in) {
+  if (!(in.l_cr > 0)) throw core::Error(core::Failure::input, "bar joint: the crack distance l_cr must be positive");
+  BarJointParams p;
+  p.D = in.D, p.A_s = in.A_s, p.steel = in.steel, p.with_dowel = in.dowel;
+  p.bond = make_bond_params({in.D, in.f_c, slip_reduction(in.l_cr / in.D)}, in.steel);
+  p.dowel = make_dowel_params({in.D, in.A_s, in.steel.E_s, in.steel.f_y, in.f_c});
+  return p;
+}
+
+void activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
+              double stored) noexcept {
+  h = {};
+  h.activated = true;
+  h.S_0 = S_0, h.t_0 = t_0, h.stored_0 = stored;
+  h.bond.sigma_cr = sigma_cr;
+  h.strain = bond_strain(p.bond, h.bond, 0, 1);
+  h.sigma = steel_stress(p.steel, h.steel, h.strain);
+}
+
+BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, double S, double t_s,
+                              BarJointDissipation& lost) noexcept {
+  if (h.ruptured) return {};
+  double const axial_before = bar_joint_axial_stored(p, h), dowel_softening = h.dowel.softening;
+  double const sigma_before = h.sigma, S_before = h.S, t_before = h.t_s, V_before = h.V_s;
+
+  h.S = S, h.t_s = t_s;
+  h.V_s = p.with_dowel ? dowel_force(p.dowel, h.dowel, S, t_s) : 0;
+  h.strain = bond_strain(p.bond, h.bond, S, h.dowel.strength);
+  h.sigma = steel_stress(p.steel, h.steel, h.strain, h.dowel.strength);
+  h.yielded = h.yielded || h.bond.yielded;
+
+  if (must_rupture(p, h, t_s)) {
+    lost.dowel += V_before * t_before + V_before * (t_s - t_before); // held before, and the last half step of work
+    h.ruptured = true, h.sigma = 0, h.V_s = 0;
+  } else if (p.with_dowel) {
+    // The fall of stiffness at the slip of the step: with the trapezoidal work this closes the balance exactly.
+    lost.dowel += p.dowel.stiffness * (dowel_softening - h.dowel.softening) * t_before * t_s;
+  }
+  double const work = p.A_s * (sigma_before + h.sigma) * (S - S_before); // trapezoid of A_s sigma over 2 S
+  lost.bond_steel += work - (bar_joint_axial_stored(p, h) - axial_before);
+  return {h.sigma, h.V_s};
+}
+
+double bar_joint_axial_stored(BarJointParams const& p, BarJointHistory const& h) noexcept {
+  if (!h.activated || h.ruptured) return 0;
+  return h.stored_0 + recoverable(p, unloading_slope(p.bond, h.bond), h.sigma) -
+         recoverable(p, p.bond.k_e, h.bond.sigma_cr);
+}
+
+double bar_joint_stored(BarJointParams const& p, BarJointHistory const& h) noexcept {
+  if (!h.activated || h.ruptured) return 0;
+  return bar_joint_axial_stored(p, h) + (p.with_dowel ? dowel_stored(p.dowel, h.dowel, h.t_s) : 0);
+}
+
+} // namespace fissura::laws
