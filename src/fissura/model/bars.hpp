@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "fissura/core/vec3.hpp"
+#include "fissura/laws/bar_joint.hpp"
+#include "fissura/laws/bar_joint_uncracked.hpp"
 #include "fissura/model/case.hpp"
 
 namespace fissura::model {
@@ -57,11 +59,21 @@ struct BarJoint {
   int bar = -1, copy = 0;
 };
 
+/// The laws of a bar joint, before and after the concrete there has cracked.
+struct BarJointLaw {
+  laws::UncrackedBarJoint intact; ///< stress over d.r, without the prestress
+  double prestress = 0;           ///< E_s eps_0, acts from the start [Pa]
+  bool crackable = false;         ///< some face of C can open; else `activated` is empty
+  laws::BarJointParams activated;
+};
+
 struct Bars {
   std::vector<BarProperties> properties; ///< per BarSpec
   std::vector<BarElement> elements;      ///< by bar, copy and arc length
   std::vector<BarJoint> joints;          ///< in the same order
   std::vector<FaceCrossing> faces;
+  std::vector<BarJointLaw> joint_law;    ///< per joint; rebar::set_bar_joint_laws fills it in
+  BarSettings settings;
 };
 
 } // namespace fissura::model

@@ -1,0 +1,50 @@
+#include "fissura/parallel/parallel.hpp"
+#include "fissura/rebar/kinematics.hpp"
+#include "fissura/rebar/rebar.hpp"
+
+namespace fissura::rebar {
+
+state::BarState make_bar_state(model::Bars const& bars) {
+  state::BarState s;
+  std::size_t const elements = bars.elements.size(), joints = bars.joints.size();
+  s.elongation.assign(elements, 0);
+  s.element_stress.assign(elements, 0);
+  s.history.resize(joints);
+  s.motion.resize(joints);
+  s.account.resize(joints);
+  for (auto* field : {&s.joint_stress, &s.joint_strain, &s.slip, &s.normalised_slip, &s.dowel_force})
+    field->assign(joints, 0);
+  return s;
+}
+
+void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+  Nodes const nodes{m.position.data(), s.u.data()};
+  for (std::size_t i = begin; i < end; ++i) {
+    auto const stretch = stretch_of(m.bars.elements[i], nodes);
+    s.bars.elongation[i] = stretch.elongation;
+    w.bars.element[i].direction = stretch.direction;
+  }
+}
+
+void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+  bool const slip_only = m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only;
+  for (std::size_t i = begin; i < end; ++i) {
+    auto const& e = m.bars.elements[i];
+    auto const& bar = m.bars.properties[e.bar];
+    double const own = bar.steel.E_s * bar.area * (s.bars.elongation[i] / e.length + bar.initial_strain); // Eqs. 4, 5
+    auto const end_force = [&](int joint) {
+      bool const cracked = slip_only && joint >= 0 && s.bars.is_activated(static_cast<std::size_t>(joint));
+      return cracked ? w.bars.joint[static_cast<std::size_t>(joint)].axial : own;
+    };
+    double const force = 0.5 * (end_force(e.joint0) + end_force(e.joint1));
+    s.bars.element_stress[i] = force / bar.area;
+    w.bars.element[i].force = force * w.bars.element[i].direction;
+  }
+}
+
+void bar_forces(model::Model const& m, state::State& s, state::Scratch& w) {
+  parallel::for_chunks(m.bars.elements.size(), 512,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { element_forces(m, s, w, begin, end); });
+}
+
+} // namespace fissura::rebar

@@ -1,0 +1,125 @@
+#include <cmath>
+
+#include "fissura/parallel/parallel.hpp"
+#include "fissura/rebar/activation.hpp"
+#include "fissura/rebar/element_energy.hpp"
+#include "fissura/rebar/kinematics.hpp"
+#include "fissura/rebar/rebar.hpp"
+
+namespace fissura::rebar {
+
+namespace {
+
+/// One bar joint at u_n, with all that its law needs.
+class JointStep {
+ public:
+  JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
+      : m_(m), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars), i_(index),
+        nodes_{m.position.data(), s.u.data()}, out_(w.bars.joint[index]),
+        slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
+    auto const a = static_cast<std::size_t>(joint_.elem_a), b = static_cast<std::size_t>(joint_.elem_b);
+    jump_ = jump_of(joint_, w.bars.element[a].direction, w.bars.element[b].direction, nodes_);
+    double const halves = slip_only_ ? 0.5 * (s_.elongation[a] + s_.elongation[b]) : 0;
+    slip_ = 0.5 * (jump_.axial + halves);
+  }
+
+  void advance() {
+    auto& h = s_.history[i_];
+    if (!h.activated && law_.crackable && some_face_separates()) {
+      auto const& before = s_.motion[i_];
+      laws::activate(law_.activated, h, before.slip, {before.t_1, before.t_2, 0}, s_.joint_stress[i_], before.held);
+    }
+    if (h.activated) {
+      slide(h);
+    } else {
+      follow_concrete();
+    }
+    remember();
+  }
+
+ private:
+  bool some_face_separates() const {
+    for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
+      auto const& face = m_.bars.faces[f];
+      if (separates(face, m_.adjacency.shared[face.shared_face], m_.joints.law[face.joint], nodes_)) return true;
+    }
+    return false;
+  }
+
+  /// The bar takes its share of the traction in the undamaged faces (docs/theory/bars.md, "Before cracking").
+  void follow_concrete() {
+    double const sigma = law_.intact.stress(jump_.axial) + law_.prestress;
+    act(sigma, {});
+    s_.joint_stress[i_] = sigma;
+    s_.joint_strain[i_] = sigma / m_.bars.properties[joint_.bar].steel.E_s;
+  }
+
+  /// Slip law along the bar and dowel action across it (Eqs. 20-27).
+  void slide(laws::BarJointHistory& h) {
+    bool const was_whole = !h.ruptured;
+    double const t_1 = jump_.t_1 - h.t_0.x, t_2 = jump_.t_2 - h.t_0.y, t_s = std::hypot(t_1, t_2);
+    laws::BarJointDissipation lost;
+    auto const force = laws::bar_joint_force(law_.activated, h, slip_ - h.S_0, t_s, lost);
+    book(lost, was_whole && h.ruptured);
+    Vec3 const across = t_s > 0 ? (t_1 / t_s) * jump_.across_1 + (t_2 / t_s) * jump_.across_2 : Vec3{};
+    act(force.sigma, force.V_s * across);
+    s_.joint_stress[i_] = force.sigma;
+    s_.joint_strain[i_] = h.strain;
+    s_.slip[i_] = slip_ - h.S_0;
+    s_.normalised_slip[i_] = s_.slip[i_] * law_.activated.bond.normalise;
+    s_.dowel_force[i_] = force.V_s;
+  }
+
+  void book(laws::BarJointDissipation const& lost, bool breaks_now) {
+    auto& account = s_.account[i_];
+    if (breaks_now) {
+      account.rupture += lost.bond_steel + lost.dowel; // all that it held
+    } else {
+      account.bond_steel += lost.bond_steel;
+      account.dowel += lost.dowel;
+    }
+  }
+
+  /// Both sides are pulled at one point, halfway between P_A and P_B: no couple.
+  void act(double sigma, Vec3 dowel) {
+    out_.axial = sigma * m_.bars.properties[joint_.bar].area;
+    out_.force = out_.axial * jump_.r + dowel;
+    out_.w_a = moved_weights(joint_.tet_a, joint_.w_a, 0.5 * jump_.d, nodes_);
+    out_.w_b = moved_weights(joint_.tet_b, joint_.w_b, -0.5 * jump_.d, nodes_);
+  }
+
+  void remember() {
+    auto& motion = s_.motion[i_];
+    motion = {jump_.axial, slip_, jump_.t_1, jump_.t_2, 0};
+    if (s_.history[i_].activated) return;
+    motion.held = intact_energy(law_, jump_.axial);
+    if (!slip_only_) return;
+    for (int e : {joint_.elem_a, joint_.elem_b}) motion.held += 0.5 * elastic_energy(m_.bars, s_, e);
+  }
+
+  model::Model const& m_;
+  model::BarJoint const& joint_;
+  model::BarJointLaw const& law_;
+  state::BarState& s_;
+  std::size_t i_;
+  Nodes nodes_;
+  state::BarScratch::Joint& out_;
+  bool slip_only_;
+  JointJump jump_;
+  double slip_ = 0;
+};
+
+} // namespace
+
+void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) JointStep(m, s, w, i).advance();
+}
+
+void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w) {
+  parallel::for_chunks(m.bars.elements.size(), 512,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { stretch_elements(m, s, w, begin, end); });
+  parallel::for_chunks(m.bars.joints.size(), 128,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { joint_forces(m, s, w, begin, end); });
+}
+
+} // namespace fissura::rebar
