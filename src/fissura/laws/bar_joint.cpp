@@ -15,7 +15,7 @@ constexpr double largest_offset = 3;
 
 /// Energy [J] that unloading from `sigma` to zero along the slope ds/deps gives back: A_s sigma works on 2 S.
 double recoverable(BarJointParams const& p, double slope, double sigma) {
-  return p.A_s * slope / (p.bond.normalise * p.steel.E_s) * sigma * sigma;
+  return p.energy_factor * slope * sigma * sigma;
 }
 
 bool must_rupture(BarJointParams const& p, BarJointHistory const& h, double t_s) {
@@ -29,6 +29,7 @@ BarJointParams make_bar_joint_params(BarJointInput const& in) {
   BarJointParams p;
   p.D = in.D, p.A_s = in.A_s, p.steel = in.steel, p.with_dowel = in.dowel;
   p.bond = make_bond_params({in.D, in.f_c, slip_reduction(in.l_cr / in.D)}, in.steel);
+  p.energy_factor = in.A_s / (p.bond.normalise * in.steel.E_s);
   p.dowel = make_dowel_params({in.D, in.A_s, in.steel.E_s, in.steel.f_y, in.f_c});
   return p;
 }

@@ -25,6 +25,7 @@ struct BarJointParams {
   BondParams bond;
   DowelParams dowel;
   bool with_dowel = true;
+  double energy_factor = 0; ///< A_s D/(K_fc E_s): recoverable energy per slope and stress squared [J/Pa2]
 };
 
 /// Throws core::Error (input) naming the first parameter outside its range.

@@ -22,6 +22,20 @@ double monotonic_strain(BondParams const& p, BondCurve const& c, double s) {
   return c.eps_0 + (s - c.s_0) / c.H2;
 }
 
+/// The slip at which the monotonic curve has the strain `eps` >= eps_y.
+double monotonic_slip(BondParams const& p, BondCurve const& c, double eps) {
+  if (eps <= p.eps_sh) return c.s_y + c.ramp * (eps - c.eps_y) / (p.eps_sh - c.eps_y);
+  if (eps <= c.eps_0) return c.s_y + c.ramp + c.H1 * (eps - p.eps_sh);
+  return c.s_0 + c.H2 * (eps - c.eps_0);
+}
+
+void weaken(BondParams const& p, BondHistory& h, double strength) {
+  h.curve = bond_curve(p, strength, h.sigma_cr);
+  // A yielded bar goes on from its strain with the new slopes. Jumping to the new curve would stretch the steel
+  // without slip, and where its stress is below the envelope that creates energy.
+  if (h.yielded) h.shift = monotonic_slip(p, h.curve, h.eps_max) - h.s_max;
+}
+
 } // namespace
 
 double slip_reduction(double l_cr_over_D) noexcept {
@@ -61,7 +75,7 @@ BondCurve bond_curve(BondParams const& p, double strength, double sigma_cr) noex
 }
 
 double bond_strain(BondParams const& p, BondHistory& h, double S, double strength) noexcept {
-  if (strength != h.curve.strength) h.curve = bond_curve(p, strength, h.sigma_cr);
+  if (strength != h.curve.strength) weaken(p, h, strength);
   double const s = S * p.normalise;
   if (!h.yielded) {
     if (s <= h.curve.s_y) return s / p.k_e + h.sigma_cr / p.E_s;
@@ -70,8 +84,8 @@ double bond_strain(BondParams const& p, BondHistory& h, double S, double strengt
     return h.eps_max - (h.s_max - s) / h.K; // Eqs. 21, 22 with beta = 1
   }
   h.s_max = s;
-  h.eps_max = monotonic_strain(p, h.curve, s);
-  h.K = p.k_e + 2 * (s - h.curve.s_y) / (h.eps_max + p.eps_sh);
+  h.eps_max = monotonic_strain(p, h.curve, s + h.shift);
+  h.K = p.k_e + 2 * (s + h.shift - h.curve.s_y) / (h.eps_max + p.eps_sh);
   return h.eps_max;
 }
 

@@ -44,6 +44,7 @@ struct BondHistory {
   double sigma_cr = 0; ///< stress of the bar when the crack opened [Pa]
   BondCurve curve;     ///< recomputed only when the strength changes
   double s_max = 0;    ///< largest normalised slip since yield
+  double shift = 0;    ///< added to s on the monotonic curve: keeps the strain continuous when the strength falls
   double eps_max = 0;  ///< strain there
   double K = 0;        ///< slope ds/deps of unloading, frozen at s_max
   bool yielded = false;

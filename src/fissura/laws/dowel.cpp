@@ -40,8 +40,11 @@ double dowel_force(DowelParams const& p, DowelHistory& h, double S, double t_s) 
     }
   }
   double const V = p.stiffness * h.softening * t_s;
-  double const shear = V / (p.A_s * p.f_y);
-  h.strength = std::min(h.strength, std::sqrt(std::max(0.0, 1 - 3 * shear * shear)));
+  if (V > h.V_max) {
+    h.V_max = V;
+    double const shear = V / (p.A_s * p.f_y);
+    h.strength = std::sqrt(std::max(0.0, 1 - 3 * shear * shear));
+  }
   return V;
 }
 

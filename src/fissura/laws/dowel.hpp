@@ -28,7 +28,8 @@ DowelParams make_dowel_params(DowelInput const& input);
 struct DowelHistory {
   double DI = 0;           ///< largest damage index so far [-]
   double softening = 1;    ///< (L_c0/L_c)^3 at that index
-  double strength = 1;     ///< smallest share of f_y left so far (Eq. 24)
+  double V_max = 0;        ///< largest force so far [N]
+  double strength = 1;     ///< share of f_y that V_max leaves (Eq. 24)
 };
 
 /// Dowel force V_s [N] at the transverse half slip t_s >= 0 and the slip S [m] (S < 0 counts as 0). Advances the history.

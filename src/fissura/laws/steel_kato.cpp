@@ -7,6 +7,9 @@ namespace fissura::laws {
 
 namespace {
 
+/// strain > eps_y, without the division.
+bool is_beyond_yield(SteelParams const& p, double strain) { return p.E_s * strain > p.f_y; }
+
 /// Slope parameter of curves (2) and (4) [Pa]: the further the bar has yielded, the rounder they are.
 double bauschinger_modulus(SteelParams const& p, double eps_max) {
   double const beyond = std::max(eps_max - p.eps_y(), 1e-5);
@@ -20,7 +23,7 @@ double rounded(SteelParams const& p, double E_B, double x) {
 }
 
 void turn(SteelParams const& p, KatoHistory& h, int direction) {
-  bool const yielded = h.eps_max > p.eps_y();
+  bool const yielded = is_beyond_yield(p, h.eps_max);
   if (h.direction != 0) h.eps_v = h.strain, h.sigma_v = h.stress;
   if (yielded && direction > 0 && h.stress < 0) {
     h.eps_pm = h.strain, h.sigma_pm = h.stress;
@@ -34,16 +37,18 @@ void turn(SteelParams const& p, KatoHistory& h, int direction) {
 }
 
 double unloading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
-  if (h.eps_max <= p.eps_y()) return std::max(elastic, -p.f_y);
+  if (!is_beyond_yield(p, h.eps_max)) return std::max(elastic, -p.f_y);
   if (elastic < 0 && strain < h.eps_z) return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
   return elastic;
 }
 
 double loading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
   // The plateau also caps strains below eps_y, or curve (4) could pass f_y there and fall back with a jump.
-  double stress = std::min(elastic, kato_envelope(p, std::max(strain, p.eps_y())));
-  double const eps_k = h.eps_pm + p.eps_y(), sigma_k = h.sigma_pm + p.f_y;
-  if (strain > eps_k) stress = std::min(stress, sigma_k + rounded(p, h.E_B_loading, strain - eps_k));
+  double stress = std::min(elastic, is_beyond_yield(p, strain) ? kato_envelope(p, strain) : p.f_y);
+  if (strain > h.eps_pm) {
+    double const beyond = strain - (h.eps_pm + p.eps_y()), sigma_k = h.sigma_pm + p.f_y;
+    if (beyond > 0) stress = std::min(stress, sigma_k + rounded(p, h.E_B_loading, beyond));
+  }
   return stress;
 }
 
