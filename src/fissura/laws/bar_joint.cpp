@@ -25,7 +25,8 @@ bool must_rupture(BarJointParams const& p, BarJointHistory const& h, double t_s)
 } // namespace
 
 BarJointParams make_bar_joint_params(BarJointInput const& in) {
-  if (!(in.l_cr > 0)) throw core::Error(core::Failure::input, "bar joint: the crack distance l_cr must be positive");
+  if (!(in.l_cr > 0))
+    throw core::Error(core::Failure::input, "bar joint: the crack distance l_cr must be positive");
   BarJointParams p;
   p.D = in.D, p.A_s = in.A_s, p.steel = in.steel, p.with_dowel = in.dowel;
   p.bond = make_bond_params({in.D, in.f_c, slip_reduction(in.l_cr / in.D)}, in.steel);
@@ -57,10 +58,11 @@ BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, doubl
   h.yielded = h.yielded || h.bond.yielded;
 
   if (must_rupture(p, h, t_s)) {
-    lost.dowel += V_before * t_before + V_before * (t_s - t_before); // held before, and the last half step of work
+    lost.dowel += V_before * t_s; // what it held, V t before, and the trapezoidal work of the last step
     h.ruptured = true, h.sigma = 0, h.V_s = 0;
   } else if (p.with_dowel) {
-    // The fall of stiffness at the slip of the step: with the trapezoidal work this closes the balance exactly.
+    // The fall of stiffness at the slip of the step: with the trapezoidal work this closes the balance
+    // exactly.
     lost.dowel += p.dowel.stiffness * (dowel_softening - h.dowel.softening) * t_before * t_s;
   }
   double const work = p.A_s * (sigma_before + h.sigma) * (S - S_before); // trapezoid of A_s sigma over 2 S

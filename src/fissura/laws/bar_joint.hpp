@@ -2,7 +2,8 @@
 // A bar across an open crack: slip -> strain -> stress along the bar, dowel force across it, rupture, energy.
 //
 // Source: Eqs. 20-27 of the founding paper, composed from bond_slip, steel and dowel.
-// Parameters: BarJointInput. History: BarJointHistory. Misprints: see the parts. Theory: docs/theory/bar_joint.md.
+// Parameters: BarJointInput. History: BarJointHistory. Misprints: see the parts. Theory:
+// docs/theory/bar_joint.md.
 #include "fissura/core/vec3.hpp"
 #include "fissura/laws/bond_slip.hpp"
 #include "fissura/laws/dowel.hpp"
@@ -11,11 +12,11 @@
 namespace fissura::laws {
 
 struct BarJointInput {
-  double D = 0;     ///< bar diameter [m]
-  double A_s = 0;   ///< steel area [m2]
+  double D = 0;   ///< bar diameter [m]
+  double A_s = 0; ///< steel area [m2]
   SteelParams steel;
-  double f_c = 0;   ///< compressive strength of the concrete [Pa]
-  double l_cr = 0;  ///< distance to the next crack [m], > 0
+  double f_c = 0;  ///< compressive strength of the concrete [Pa]
+  double l_cr = 0; ///< distance to the next crack [m], > 0
   bool dowel = true;
 };
 
@@ -33,16 +34,16 @@ BarJointParams make_bar_joint_params(BarJointInput const& input);
 
 struct BarJointHistory {
   bool activated = false, yielded = false, ruptured = false;
-  double S_0 = 0;          ///< half separation along the bar at activation, to be subtracted by the caller [m]
-  Vec3 t_0{};              ///< transverse half slip at activation, to be subtracted by the caller [m]
-  double stored_0 = 0;     ///< energy at activation [J]
-  BondHistory bond;        ///< holds sigma_cr
+  double S_0 = 0;      ///< half separation along the bar at activation, to be subtracted by the caller [m]
+  Vec3 t_0{};          ///< transverse half slip at activation, to be subtracted by the caller [m]
+  double stored_0 = 0; ///< energy at activation [J]
+  BondHistory bond;    ///< holds sigma_cr
   SteelHistory steel;
   DowelHistory dowel;
-  double S = 0, t_s = 0;   ///< last evaluation [m]
-  double sigma = 0;        ///< stress of the bar at the crack [Pa]
-  double V_s = 0;          ///< dowel force [N]
-  double strain = 0;       ///< strain of the bar at the crack
+  double S = 0, t_s = 0; ///< last evaluation [m]
+  double sigma = 0;      ///< stress of the bar at the crack [Pa]
+  double V_s = 0;        ///< dowel force [N]
+  double strain = 0;     ///< strain of the bar at the crack
 };
 
 struct BarJointForce {
@@ -56,15 +57,17 @@ struct BarJointDissipation {
 };
 
 /// The crack has opened: remember the step before. `stored` is the energy of the uncracked joint then [J].
-void activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr, double stored) noexcept;
+void activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
+              double stored) noexcept;
 
-/// Forces at the slip S and the length t_s of the transverse half slip, both counted from activation [m]. Advances the
-/// history and adds what the step dissipates [J] to `lost`. A ruptured joint carries nothing.
+/// Forces at the slip S and the length t_s of the transverse half slip, both counted from activation [m].
+/// Advances the history and adds what the step dissipates [J] to `lost`. A ruptured joint carries nothing.
 BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, double S, double t_s,
                               BarJointDissipation& lost) noexcept;
 
-/// Energy along the bar [J] at the last evaluation: the one at activation, and what unloading along the current line
-/// would give back beyond that. Its change on the elastic line is the work of A_s sigma over 2 S.
+/// Energy along the bar [J] at the last evaluation: the one at activation, and what unloading along the
+/// current line would give back beyond that. Its change on the elastic line is the work of A_s sigma over 2
+/// S.
 double bar_joint_axial_stored(BarJointParams const& p, BarJointHistory const& h) noexcept;
 /// Axial and dowel energy [J] at the last evaluation.
 double bar_joint_stored(BarJointParams const& p, BarJointHistory const& h) noexcept;

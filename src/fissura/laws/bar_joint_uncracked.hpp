@@ -1,17 +1,19 @@
 #pragma once
-// A bar where it passes from one tet to the next, before the concrete there has cracked: it follows the joint.
+// A bar where it passes from one tet to the next, before the concrete there has cracked: it follows the
+// joint.
 //
-// Source: section 2.3.1 and Fig. 5 of the founding paper (no equation is given there): the stress is (E_s/E_c) times the
-// traction that the undamaged joints (Eq. 13) carry along the bar. History: none. Theory: docs/theory/bar_joint.md.
+// Source: section 2.3.1 and Fig. 5 of the founding paper (no equation is given there): the stress is
+// (E_s/E_c) times the traction that the undamaged joints (Eq. 13) carry along the bar. History: none. Theory:
+// docs/theory/bar_joint.md.
 #include <limits>
 
 namespace fissura::laws {
 
 /// Make one with `uncracked_bar_joint`.
 struct UncrackedBarJoint {
-  double slope = 0;  ///< initial slope of the stress over the separation [Pa/m]
+  double slope = 0; ///< initial slope of the stress over the separation [Pa/m]
   double d_peak = std::numeric_limits<double>::infinity(); ///< separation at the peak [m]; infinite: linear
-  double A_s = 0;    ///< [m2]
+  double A_s = 0;                                          ///< [m2]
 
   /// Stress [Pa] at the separation d.r [m] of P_A and P_B along the bar.
   double stress(double d) const noexcept {
@@ -30,8 +32,8 @@ struct UncrackedBarJoint {
   double stiffness_bound() const noexcept { return slope * A_s; }
 };
 
-/// H: sum of h |n.r| over the faces C crossed [m]; p penalty [Pa]; modular_ratio E_s/E_c; f_t of the weakest face [Pa].
-/// Not crackable: linear for ever.
+/// H: sum of h |n.r| over the faces C crossed [m]; p penalty [Pa]; modular_ratio E_s/E_c; f_t of the weakest
+/// face [Pa]. Not crackable: linear for ever.
 inline UncrackedBarJoint uncracked_bar_joint(double modular_ratio, double p, double H, double f_t, double A_s,
                                              bool crackable) noexcept {
   UncrackedBarJoint u;

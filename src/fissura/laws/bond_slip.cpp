@@ -31,8 +31,8 @@ double monotonic_slip(BondParams const& p, BondCurve const& c, double eps) {
 
 void weaken(BondParams const& p, BondHistory& h, double strength) {
   h.curve = bond_curve(p, strength, h.sigma_cr);
-  // A yielded bar goes on from its strain with the new slopes. Jumping to the new curve would stretch the steel
-  // without slip, and where its stress is below the envelope that creates energy.
+  // A yielded bar goes on from its strain with the new slopes. Jumping to the new curve would stretch the
+  // steel without slip, and where its stress is below the envelope that creates energy.
   if (h.yielded) h.shift = monotonic_slip(p, h.curve, h.eps_max) - h.s_max;
 }
 

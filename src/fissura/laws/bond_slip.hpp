@@ -19,7 +19,7 @@ struct BondInput {
 struct BondParams {
   double normalise = 0; ///< K_fc/D: normalised slip s per slip S (Eq. 20) [1/m]
   double alpha = 1;
-  double k_e = 0;       ///< elastic s per strain, alpha (2 + 3500 eps_y) [-]
+  double k_e = 0; ///< elastic s per strain, alpha (2 + 3500 eps_y) [-]
   double E_s = 0, f_y = 0, f_u = 0, eps_sh = 0;
 };
 
@@ -31,11 +31,11 @@ BondParams make_bond_params(BondInput const& input, SteelParams const& steel);
 
 /// The monotonic curve for one reduction of the yield stress; all in normalised slip and strain.
 struct BondCurve {
-  double strength = 0;     ///< share of f_y and f_u left by shear (Eq. 24); 0 = not computed yet
-  double eps_y = 0;        ///< yield strain, reduced
-  double s_y = 0;          ///< slip at yield
-  double ramp = 0;         ///< width of the ramp that stands for the jump eps_y -> eps_sh
-  double H1 = 0, H2 = 0;   ///< slip per strain after yield and beyond eps_0
+  double strength = 0;       ///< share of f_y and f_u left by shear (Eq. 24); 0 = not computed yet
+  double eps_y = 0;          ///< yield strain, reduced
+  double s_y = 0;            ///< slip at yield
+  double ramp = 0;           ///< width of the ramp that stands for the jump eps_y -> eps_sh
+  double H1 = 0, H2 = 0;     ///< slip per strain after yield and beyond eps_0
   double eps_0 = 0, s_0 = 0; ///< where H1 ends, ramp included
 };
 BondCurve bond_curve(BondParams const& p, double strength, double sigma_cr) noexcept;
@@ -44,9 +44,10 @@ struct BondHistory {
   double sigma_cr = 0; ///< stress of the bar when the crack opened [Pa]
   BondCurve curve;     ///< recomputed only when the strength changes
   double s_max = 0;    ///< largest normalised slip since yield
-  double shift = 0;    ///< added to s on the monotonic curve: keeps the strain continuous when the strength falls
-  double eps_max = 0;  ///< strain there
-  double K = 0;        ///< slope ds/deps of unloading, frozen at s_max
+  double shift =
+      0; ///< added to s on the monotonic curve: keeps the strain continuous when the strength falls
+  double eps_max = 0; ///< strain there
+  double K = 0;       ///< slope ds/deps of unloading, frozen at s_max
   bool yielded = false;
 };
 

@@ -17,20 +17,25 @@ constexpr double straightening = 0.05;
 /// The shape of both branches at a given damage and shear strength: all that depends on the history.
 struct Branches {
   double kappa;
-  double z;   ///< share of strength left
-  double f_s; ///< [Pa]
-  double s_p; ///< sliding at the shear strength [m]
-  double s_r; ///< softening range of the sliding [m]
-  double o_m; ///< largest opening the damage stands for [m]
-  double s_m; ///< largest sliding [m]
+  double z;                 ///< share of strength left
+  double f_s;               ///< [Pa]
+  double s_p;               ///< sliding at the shear strength [m]
+  double s_r;               ///< softening range of the sliding [m]
+  double o_m;               ///< largest opening the damage stands for [m]
+  double s_m;               ///< largest sliding [m]
   double w_normal, w_shear; ///< 0 parabola ... 1 straight line
 };
 
-double length(double a, double b) { return std::sqrt(a * a + b * b); }
-double length(Separation s) { return length(s.sliding_1, s.sliding_2); }
+double length(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+double length(Separation s) {
+  return length(s.sliding_1, s.sliding_2);
+}
 
 Separation middle(Separation a, Separation b) {
-  return {0.5 * (a.opening + b.opening), 0.5 * (a.sliding_1 + b.sliding_1), 0.5 * (a.sliding_2 + b.sliding_2)};
+  return {0.5 * (a.opening + b.opening), 0.5 * (a.sliding_1 + b.sliding_1),
+          0.5 * (a.sliding_2 + b.sliding_2)};
 }
 
 double shear_strength(CohesiveParams const& p, CohesiveHistory const& h, double opening) {
@@ -38,9 +43,11 @@ double shear_strength(CohesiveParams const& p, CohesiveHistory const& h, double 
   return opening < 0 ? p.f_s - p.k * opening * p.tan_phi : p.f_s;
 }
 
-/// Sliding at the strength: the parabola of Eq. 13 carried over to shear, or a straight line with Mohr-Coulomb (a
-/// parabola whose strength depends on the pressure would not be conservative).
-double peak_sliding(CohesiveParams const& p, double f_s) { return (p.mohr_coulomb ? 1 : 2) * f_s / p.k; }
+/// Sliding at the strength: the parabola of Eq. 13 carried over to shear, or a straight line with
+/// Mohr-Coulomb (a parabola whose strength depends on the pressure would not be conservative).
+double peak_sliding(CohesiveParams const& p, double f_s) {
+  return (p.mohr_coulomb ? 1 : 2) * f_s / p.k;
+}
 
 double damage_at(CohesiveParams const& p, double f_s, double opening, double sliding) {
   double const dt = std::max(0.0, (opening - p.o_p) / p.o_r);
@@ -63,15 +70,24 @@ Branches branches(CohesiveParams const& p, double kappa, double f_s) {
   return b;
 }
 
-// ---- energy_consistent: psi = z f m Phi(x), x = separation/m ---------------------------------------------------
+// ---- energy_consistent: psi = z f m Phi(x), x = separation/m
+// ---------------------------------------------------
 
-double stress_shape(double w, double x) { return ((2 - w) - (1 - w) * x) * x; }         // G(x)
-double energy_shape(double w, double x) { return ((2 - w) / 2 - (1 - w) / 3 * x) * x * x; } // its integral
+double stress_shape(double w, double x) {
+  return ((2 - w) - (1 - w) * x) * x;
+} // G(x)
+double energy_shape(double w, double x) {
+  return ((2 - w) / 2 - (1 - w) / 3 * x) * x * x;
+} // its integral
 
 // ---- paper: Eq. 13 below the peak, secant to the origin below the largest separation ----------------------
 
-double virgin_shape(bool straight, double x) { return x >= 1 ? 1 : straight ? x : (2 - x) * x; } // g(r)
-double virgin_energy(bool straight, double x) { return straight ? x * x / 2 : (1 - x / 3) * x * x; }
+double virgin_shape(bool straight, double x) {
+  return x >= 1 ? 1 : straight ? x : (2 - x) * x;
+} // g(r)
+double virgin_energy(bool straight, double x) {
+  return straight ? x * x / 2 : (1 - x / 3) * x * x;
+}
 
 /// Work of unloading along the secant to the origin, with the other separation held at zero.
 double secant_energy(double strength, double peak, double largest, bool straight, double separation) {
@@ -80,7 +96,8 @@ double secant_energy(double strength, double peak, double largest, bool straight
   return strength / largest * (peak * peak * virgin_energy(straight, below / peak) + beyond);
 }
 
-// ---- both -----------------------------------------------------------------------------------------------------
+// ---- both
+// -----------------------------------------------------------------------------------------------------
 
 double normal_energy(CohesiveParams const& p, Branches const& b, double opening) {
   if (opening < 0) return 0.5 * p.k * opening * opening;
@@ -106,9 +123,9 @@ Traction consistent_traction(CohesiveParams const& p, Branches const& b, Separat
 
 Traction paper_traction(CohesiveParams const& p, Branches const& b, Separation at, double sliding) {
   double const d = std::min(b.kappa, damage_at(p, b.f_s, at.opening, sliding));
-  double const sigma = at.opening < 0 ? p.k * at.opening
-                                      : b.z * p.f_t * virgin_shape(false, at.opening / p.o_p) *
-                                            ((p.o_p + d * p.o_r) / b.o_m);
+  double const sigma =
+      at.opening < 0 ? p.k * at.opening
+                     : b.z * p.f_t * virgin_shape(false, at.opening / p.o_p) * ((p.o_p + d * p.o_r) / b.o_m);
   double const tau =
       b.z * b.f_s * virgin_shape(p.mohr_coulomb, sliding / b.s_p) * ((b.s_p + d * b.s_r) / b.s_m);
   return along(at, sliding, sigma, tau);
@@ -116,16 +133,19 @@ Traction paper_traction(CohesiveParams const& p, Branches const& b, Separation a
 
 Traction cohesive_part(CohesiveParams const& p, Branches const& b, Separation at) {
   double const sliding = length(at);
-  return p.law == CohesiveLaw::paper ? paper_traction(p, b, at, sliding) : consistent_traction(p, b, at, sliding);
+  return p.law == CohesiveLaw::paper ? paper_traction(p, b, at, sliding)
+                                     : consistent_traction(p, b, at, sliding);
 }
 
-/// Stiffness of the friction spring [Pa/m]: what the cohesive secant leaves of k, so that both together never exceed
-/// the k that the stable step knows. k itself once cohesion is gone.
-double friction_stiffness(CohesiveParams const& p, Branches const& b) { return p.k * (1 - b.z * b.s_p / b.s_m); }
+/// Stiffness of the friction spring [Pa/m]: what the cohesive secant leaves of k, so that both together never
+/// exceed the k that the stable step knows. k itself once cohesion is gone.
+double friction_stiffness(CohesiveParams const& p, Branches const& b) {
+  return p.k * (1 - b.z * b.s_p / b.s_m);
+}
 
 /// Coulomb friction with a spring in parallel to the cohesive part; |t| <= (1 - z) mu |sigma|. Adds to `t`.
-void add_friction(CohesiveParams const& p, Branches const& old, Branches const& b, CohesiveHistory& h, Separation now,
-                  Separation before, Traction& t, Dissipation& lost) {
+void add_friction(CohesiveParams const& p, Branches const& old, Branches const& b, CohesiveHistory& h,
+                  Separation now, Separation before, Traction& t, Dissipation& lost) {
   double const k_old = friction_stiffness(p, old), k = friction_stiffness(p, b);
   if (!(k > 0)) {
     h.slip_1 = now.sliding_1, h.slip_2 = now.sliding_2;
@@ -144,16 +164,19 @@ void add_friction(CohesiveParams const& p, Branches const& old, Branches const& 
   if (size > limit) {
     t_1 *= limit / size, t_2 *= limit / size;
     h.slip_1 = now.sliding_1 - t_1 / k, h.slip_2 = now.sliding_2 - t_2 / k;
-    // Mean traction times slip: exact for the trapezoidal work of the step. Where a step turns the force right round
-    // while the pressure falls, the mean may oppose the slip; friction never gives energy back.
-    lost.friction += std::max(0.0, 0.5 * ((t0_1 + t_1) * (h.slip_1 - from_1) + (t0_2 + t_2) * (h.slip_2 - from_2)));
+    // Mean traction times slip: exact for the trapezoidal work of the step. Where a step turns the force
+    // right round while the pressure falls, the mean may oppose the slip; friction never gives energy back.
+    lost.friction +=
+        std::max(0.0, 0.5 * ((t0_1 + t_1) * (h.slip_1 - from_1) + (t0_2 + t_2) * (h.slip_2 - from_2)));
   } else {
     h.slip_1 = from_1, h.slip_2 = from_2;
   }
   t.tau_1 += t_1, t.tau_2 += t_2;
 }
 
-bool has_friction(CohesiveParams const& p, bool broken) { return broken || p.mohr_coulomb; }
+bool has_friction(CohesiveParams const& p, bool broken) {
+  return broken || p.mohr_coulomb;
+}
 
 Traction undamaged_traction(CohesiveParams const& p, Separation at) {
   double const o = at.opening, sliding = length(at);
@@ -183,7 +206,8 @@ CohesiveParams make_cohesive_params(CohesiveInput const& in) {
   require(in.friction >= 0, "the friction mu must not be negative");
   if (in.mohr_coulomb) {
     require(in.cohesion > 0, "the cohesion c must be positive");
-    require(in.friction_angle >= 0 && in.friction_angle < 1.57, "the friction angle must lie in [0, 90 degrees)");
+    require(in.friction_angle >= 0 && in.friction_angle < 1.57,
+            "the friction angle must lie in [0, 90 degrees)");
   } else {
     require(in.f_s > 0, "the shear strength f_s must be positive");
   }
@@ -204,8 +228,8 @@ double cohesive_damage(CohesiveParams const& p, CohesiveHistory const& h, Separa
   return p.crackable ? damage_at(p, shear_strength(p, h, now.opening), now.opening, length(now)) : 0;
 }
 
-Traction cohesive_traction(CohesiveParams const& p, CohesiveHistory& h, Separation now, Separation before, bool broken,
-                           Dissipation& lost) noexcept {
+Traction cohesive_traction(CohesiveParams const& p, CohesiveHistory& h, Separation now, Separation before,
+                           bool broken, Dissipation& lost) noexcept {
   if (!p.crackable) return {p.k * now.opening, p.k * now.sliding_1, p.k * now.sliding_2};
   double const f_s = shear_strength(p, h, now.opening);
   double const kappa_old = h.kappa;
@@ -232,7 +256,8 @@ Traction cohesive_traction(CohesiveParams const& p, CohesiveHistory& h, Separati
   return t;
 }
 
-double cohesive_stored(CohesiveParams const& p, CohesiveHistory const& h, Separation now, bool broken) noexcept {
+double cohesive_stored(CohesiveParams const& p, CohesiveHistory const& h, Separation now,
+                       bool broken) noexcept {
   double const sliding = length(now);
   if (!p.crackable) return 0.5 * p.k * (now.opening * now.opening + sliding * sliding);
   double const kappa = broken ? 1 : h.kappa;

@@ -12,7 +12,8 @@ struct SteelHistory {
 };
 
 /// Stress [Pa] at the next strain; `strength` (0 ... 1) multiplies f_y and f_u (Eq. 24).
-inline double steel_stress(SteelParams const& p, SteelHistory& h, double strain, double strength = 1) noexcept {
+inline double steel_stress(SteelParams const& p, SteelHistory& h, double strain,
+                           double strength = 1) noexcept {
   SteelParams const now = reduced(p, strength);
   if (p.law == SteelLaw::menegotto_pinto) return SteelMenegottoPinto{now}(h.menegotto_pinto, strain);
   return SteelKato{now}(h.kato, strain);

@@ -8,7 +8,9 @@ namespace fissura::laws {
 namespace {
 
 /// strain > eps_y, without the division.
-bool is_beyond_yield(SteelParams const& p, double strain) { return p.E_s * strain > p.f_y; }
+bool is_beyond_yield(SteelParams const& p, double strain) {
+  return p.E_s * strain > p.f_y;
+}
 
 /// Slope parameter of curves (2) and (4) [Pa]: the further the bar has yielded, the rounder they are.
 double bauschinger_modulus(SteelParams const& p, double eps_max) {
@@ -38,7 +40,8 @@ void turn(SteelParams const& p, KatoHistory& h, int direction) {
 
 double unloading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
   if (!is_beyond_yield(p, h.eps_max)) return std::max(elastic, -p.f_y);
-  if (elastic < 0 && strain < h.eps_z) return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
+  if (elastic < 0 && strain < h.eps_z)
+    return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
   return elastic;
 }
 

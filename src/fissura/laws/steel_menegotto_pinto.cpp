@@ -9,10 +9,13 @@ namespace {
 
 constexpr double R_0 = 20, a_1 = 18.5, a_2 = 0.15, a_3 = 0.01, a_4 = 7;
 
-/// Below this share of eps_y the virgin curve is taken as straight (it differs by 5e-8): no power is needed there.
+/// Below this share of eps_y the virgin curve is taken as straight (it differs by 5e-8): no power is needed
+/// there.
 constexpr double straight_until = 0.5;
 
-double hardening(SteelParams const& p) { return (p.f_u - p.f_y) / (p.eps_u - p.eps_y()) / p.E_s; }
+double hardening(SteelParams const& p) {
+  return (p.f_u - p.f_y) / (p.eps_u - p.eps_y()) / p.E_s;
+}
 
 /// Strain from the reversal to the corner where the elastic line meets the yield asymptote.
 double strain_to_corner(SteelParams const& p, MenegottoPintoHistory const& h, double b) {
@@ -28,7 +31,8 @@ void turn(SteelParams const& p, MenegottoPintoHistory& h, int direction) {
   double const extreme = std::max(h.eps_largest, -h.eps_smallest);
   h.shift = std::max(0.0, a_3 * (extreme / p.eps_y() - a_4));
   double const corner = h.eps_r + strain_to_corner(p, h, hardening(p));
-  double const target = direction > 0 ? std::max(h.eps_largest, p.eps_y()) : std::min(h.eps_smallest, -p.eps_y());
+  double const target =
+      direction > 0 ? std::max(h.eps_largest, p.eps_y()) : std::min(h.eps_smallest, -p.eps_y());
   double const xi = std::abs(target - corner) / p.eps_y();
   h.roundness = R_0 - a_1 * xi / (a_2 + xi);
 }

@@ -6,12 +6,12 @@ namespace fissura::laws {
 enum class SteelLaw { kato, menegotto_pinto };
 
 struct SteelParams {
-  double E_s = 200e9;     ///< Young's modulus [Pa], > 0
-  double f_y = 0;         ///< yield stress [Pa], > 0
-  double f_u = 0;         ///< tensile strength [Pa], > f_y
-  double eps_sh = 0.015;  ///< strain at the onset of hardening, > f_y/E_s
-  double eps_u = 0.1;     ///< strain at the tensile strength, > eps_sh
-  double eps_br = 0.12;   ///< strain at rupture, > eps_u
+  double E_s = 200e9;    ///< Young's modulus [Pa], > 0
+  double f_y = 0;        ///< yield stress [Pa], > 0
+  double f_u = 0;        ///< tensile strength [Pa], > f_y
+  double eps_sh = 0.015; ///< strain at the onset of hardening, > f_y/E_s
+  double eps_u = 0.1;    ///< strain at the tensile strength, > eps_sh
+  double eps_br = 0.12;  ///< strain at rupture, > eps_u
   SteelLaw law = SteelLaw::kato;
 
   double eps_y() const noexcept { return f_y / E_s; }

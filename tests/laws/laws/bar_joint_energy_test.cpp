@@ -38,7 +38,8 @@ Findings wander(BarJointParams const& p, unsigned seed, double reach, double off
   for (int leg = 0; leg < 20; ++leg) {
     double const S_to = (1.1 * u(random) - 0.1) * reach, t_to = u(random) * offset, S_from = S, t_from = t;
     for (int i = 1; i <= steps && !h.ruptured; ++i) {
-      double const S_next = S_from + (S_to - S_from) * i / steps, t_next = t_from + (t_to - t_from) * i / steps;
+      double const S_next = S_from + (S_to - S_from) * i / steps,
+                   t_next = t_from + (t_to - t_from) * i / steps;
       BarJointForce const now = bar_joint_force(p, h, S_next, t_next, lost);
       double const axial = p.A_s * (last.sigma + now.sigma) * (S_next - S);
       double const across = (last.V_s + now.V_s) * (t_next - t);
@@ -104,9 +105,9 @@ TEST(BarJointEnergy, ElasticSlipWithDowel) {
   EXPECT_LT(f.dip, 1e-6);
 }
 
-// Documentation of a defect of the strain-slip curve: after yield the strain runs ahead of the slip (H_1 < K), so a bar
-// that comes back from compression below its envelope is stressed faster than its unloading line will give back. Cycles
-// just past yield show it: a few 1e-4 of the work, never more than 1e-3.
+// Documentation of a defect of the strain-slip curve: after yield the strain runs ahead of the slip (H_1 <
+// K), so a bar that comes back from compression below its envelope is stressed faster than its unloading line
+// will give back. Cycles just past yield show it: a few 1e-4 of the work, never more than 1e-3.
 TEST(BarJointEnergy, CyclesJustPastYieldGainALittle) {
   auto const f = worst_of(joint(SteelLaw::kato, false), 1e-4, 0);
   EXPECT_TRUE(f.yielded);
@@ -115,8 +116,9 @@ TEST(BarJointEnergy, CyclesJustPastYieldGainALittle) {
   EXPECT_LT(f.dip, 1e-3);
 }
 
-// Menegotto-Pinto steel has no plateau, so its stress also rises while the strain jumps from eps_y to eps_sh, and it
-// gives back more than its elastic unloading promises (Bauschinger effect). Together at most 1 % of the work.
+// Menegotto-Pinto steel has no plateau, so its stress also rises while the strain jumps from eps_y to eps_sh,
+// and it gives back more than its elastic unloading promises (Bauschinger effect). Together at most 1 % of
+// the work.
 TEST(BarJointEnergy, MenegottoPintoCycles) {
   auto const f = worst_of(joint(SteelLaw::menegotto_pinto, true), 5e-4, 1e-3);
   EXPECT_TRUE(f.yielded);

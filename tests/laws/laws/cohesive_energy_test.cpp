@@ -42,7 +42,8 @@ struct Driver {
     Separation const from = at;
     for (int i = 1; i <= steps; ++i) {
       double const x = double(i) / steps;
-      step({from.opening + x * (to.opening - from.opening), from.sliding_1 + x * (to.sliding_1 - from.sliding_1),
+      step({from.opening + x * (to.opening - from.opening),
+            from.sliding_1 + x * (to.sliding_1 - from.sliding_1),
             from.sliding_2 + x * (to.sliding_2 - from.sliding_2)});
     }
   }
@@ -51,7 +52,9 @@ struct Driver {
   double imbalance() const { return work - stored() - dissipated(); }
 };
 
-double failing_sliding(CohesiveParams const& p) { return 2 * p.f_s / p.k + p.shear_work / p.f_s; }
+double failing_sliding(CohesiveParams const& p) {
+  return 2 * p.f_s / p.k + p.shear_work / p.f_s;
+}
 
 // A joint pulled to failure takes G_f + (2/3) f_t o_p within 0.1 %, and books it as mode I.
 TEST(CohesiveEnergy, WorkToFailureInTension) {
@@ -108,9 +111,9 @@ std::vector<Separation> random_path(CohesiveParams const& p, unsigned seed) {
 }
 
 struct Findings {
-  double imbalance = 0;    ///< largest |work - stored - dissipated| [J/m2]
-  double closed_work = 0;  ///< smallest cumulative work at the origin [J/m2]
-  double increment = 0;    ///< smallest dissipation increment [J/m2]
+  double imbalance = 0;   ///< largest |work - stored - dissipated| [J/m2]
+  double closed_work = 0; ///< smallest cumulative work at the origin [J/m2]
+  double increment = 0;   ///< smallest dissipation increment [J/m2]
 };
 
 Findings wander(CohesiveParams const& p, unsigned seed, int steps) {
@@ -125,8 +128,9 @@ Findings wander(CohesiveParams const& p, unsigned seed, int steps) {
   return f;
 }
 
-// No path of the default law creates energy: the balance closes as the step shrinks (better than first order), no
-// dissipation increment is negative, and no closed loop returns more than was put in. Both shear options, friction on.
+// No path of the default law creates energy: the balance closes as the step shrinks (better than first
+// order), no dissipation increment is negative, and no closed loop returns more than was put in. Both shear
+// options, friction on.
 TEST(CohesiveEnergy, NoPathCreatesEnergy) {
   for (bool mc : {false, true}) {
     auto const p = make_cohesive_params(concrete(mc));
@@ -143,7 +147,8 @@ TEST(CohesiveEnergy, NoPathCreatesEnergy) {
   }
 }
 
-/// Work of the loop (0,0) -> (o,0) -> (o,s) -> (0,s) -> (0,0) after damage kappa has been reached; < 0 = created.
+/// Work of the loop (0,0) -> (o,0) -> (o,s) -> (0,s) -> (0,0) after damage kappa has been reached; < 0 =
+/// created.
 double loop_work(CohesiveParams const& p, double kappa, double fraction_o, double fraction_s) {
   Driver d{p};
   d.h.kappa = kappa;
@@ -159,7 +164,8 @@ TEST(CohesiveEnergy, ClosedLoopsOfTheDefaultLaw) {
   for (double kappa : {0.1, 0.3, 0.6}) EXPECT_NEAR(loop_work(p, kappa, 0.6, 0.6), 0, 1e-6);
 }
 
-// Documentation of a known defect: the law of the paper, run round the other way, creates 10-18 J/m2 of G_f = 100.
+// Documentation of a known defect: the law of the paper, run round the other way, creates 10-18 J/m2 of G_f =
+// 100.
 TEST(CohesiveEnergy, PaperLawCreatesEnergyInMixedMode) {
   auto const p = make_cohesive_params(concrete(false, CohesiveLaw::paper));
   EXPECT_NEAR(std::abs(loop_work(p, 0.1, 0.6, 0.6)), 10.657, 0.02);
@@ -188,7 +194,8 @@ double jump_at_breakage(CohesiveParams const& p, Separation from, Separation to,
     double const x = double(i) / steps;
     Traction const t = d.t;
     bool const was_broken = d.broken;
-    d.step({from.opening + x * (to.opening - from.opening), from.sliding_1 + x * (to.sliding_1 - from.sliding_1), 0});
+    d.step({from.opening + x * (to.opening - from.opening),
+            from.sliding_1 + x * (to.sliding_1 - from.sliding_1), 0});
     if (d.broken && !was_broken) { // the next step is the first one as a crack-face pair
       Traction const failed = d.t;
       d.step({d.at.opening, d.at.sliding_1 + 1e-15, 0});
@@ -200,7 +207,8 @@ double jump_at_breakage(CohesiveParams const& p, Separation from, Separation to,
   return 0;
 }
 
-// Breakage changes no traction by more than the step it happens in: in tension, in shear and in shear under pressure.
+// Breakage changes no traction by more than the step it happens in: in tension, in shear and in shear under
+// pressure.
 TEST(CohesiveEnergy, ContinuousAtBreakage) {
   for (bool mc : {false, true}) {
     auto const p = make_cohesive_params(concrete(mc));

@@ -10,10 +10,10 @@ namespace {
 using namespace fissura::laws;
 
 struct Findings {
-  double slope = 0;       ///< steepest slope / E_s
-  double dip = 0;         ///< deepest fall of work - sigma^2/(2 E_s) below an earlier value [J/m3]
-  double dissipated = 0;  ///< at the end [J/m3]
-  double least = 0;       ///< smallest work - stored [J/m3]
+  double slope = 0;      ///< steepest slope / E_s
+  double dip = 0;        ///< deepest fall of work - sigma^2/(2 E_s) below an earlier value [J/m3]
+  double dissipated = 0; ///< at the end [J/m3]
+  double least = 0;      ///< smallest work - stored [J/m3]
 };
 
 Findings wander(SteelParams const& p, unsigned seed) {
@@ -38,9 +38,10 @@ Findings wander(SteelParams const& p, unsigned seed) {
   return f;
 }
 
-// On random histories the dissipated energy is never negative and the slope never exceeds E_s, by either law. After a
-// reversal in compression the bar can give back more than sigma^2/(2 E_s) (Bauschinger effect), so dissipation is not
-// monotonic: hardly with Kato's law, by up to a quarter of f_u^2/(2 E_s) with the smooth curves.
+// On random histories the dissipated energy is never negative and the slope never exceeds E_s, by either law.
+// After a reversal in compression the bar can give back more than sigma^2/(2 E_s) (Bauschinger effect), so
+// dissipation is not monotonic: hardly with Kato's law, by up to a quarter of f_u^2/(2 E_s) with the smooth
+// curves.
 TEST(SteelEnergy, RandomHistories) {
   for (auto law : {SteelLaw::kato, SteelLaw::menegotto_pinto})
     for (SteelParams p : {SteelParams{210e9, 530e6, 650e6, 0.03, 0.1, 0.12, law},
@@ -53,7 +54,8 @@ TEST(SteelEnergy, RandomHistories) {
         EXPECT_GT(f.dissipated, 2e8);
         dip = std::max(dip, f.dip);
       }
-      RecordProperty((law == SteelLaw::kato ? "kato_" : "mp_") + std::to_string(int(p.E_s / 1e9)), std::to_string(dip / steel_recoverable(p, p.f_u)));
+      RecordProperty((law == SteelLaw::kato ? "kato_" : "mp_") + std::to_string(int(p.E_s / 1e9)),
+                     std::to_string(dip / steel_recoverable(p, p.f_u)));
       EXPECT_LT(dip, (law == SteelLaw::kato ? 1e-3 : 0.3) * steel_recoverable(p, p.f_u)) << p.E_s;
     }
 }

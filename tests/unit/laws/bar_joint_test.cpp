@@ -40,7 +40,8 @@ TEST(BarJoint, ElasticSlopeAndYield) {
   auto h = activated(p);
   BarJointDissipation lost;
   double const sigma = bar_joint_force(p, h, 1e-5, 0, lost).sigma;
-  EXPECT_NEAR((sigma - 20e6) * p.A_s / 2e-5, bar_joint_stiffness_bound(p), 1e-6 * bar_joint_stiffness_bound(p));
+  EXPECT_NEAR((sigma - 20e6) * p.A_s / 2e-5, bar_joint_stiffness_bound(p),
+              1e-6 * bar_joint_stiffness_bound(p));
   double const alpha = 0.087 * 0.075 / 0.03385137501, K_fc = std::pow(1.5, 2.0 / 3);
   double const bound = 210e9 * 9e-4 * K_fc / (2 * 0.03385137501 * alpha * (2 + 3500 * 530.0 / 210e3));
   EXPECT_NEAR(bar_joint_stiffness_bound(p), bound, 1e-9 * bound);
@@ -126,7 +127,8 @@ TEST(BarJoint, BadParametersAreNamed) {
   }
 }
 
-// Before cracking: (E_s/E_c) times the parabola of the joints in series, linear in compression or if uncrackable.
+// Before cracking: (E_s/E_c) times the parabola of the joints in series, linear in compression or if
+// uncrackable.
 TEST(UncrackedBarJoint, StressAndEnergy) {
   double const n = 7, p = 6e11, H = 0.05, f_t = 3e6, A_s = 9e-4, d_peak = 2 * f_t * H / p;
   auto const u = uncracked_bar_joint(n, p, H, f_t, A_s, true);

@@ -9,8 +9,12 @@
 namespace {
 using namespace fissura::laws;
 
-SteelParams table_4() { return {210e9, 530e6, 650e6, 0.03, 0.1, 0.12, SteelLaw::kato}; }
-SteelParams table_6() { return {190e9, 350e6, 540e6, 0.0165, 0.1, 0.12, SteelLaw::kato}; }
+SteelParams table_4() {
+  return {210e9, 530e6, 650e6, 0.03, 0.1, 0.12, SteelLaw::kato};
+}
+SteelParams table_6() {
+  return {190e9, 350e6, 540e6, 0.0165, 0.1, 0.12, SteelLaw::kato};
+}
 
 /// A diameter that makes the normalised slip equal to the slip in metres.
 BondParams unit_scale(SteelParams const& steel, double f_c, double alpha = 1) {
@@ -19,8 +23,16 @@ BondParams unit_scale(SteelParams const& steel, double f_c, double alpha = 1) {
 
 // Eq. 26 as corrected: the straight branch up to l_cr = 4.4 D, the exponential beyond.
 TEST(BondSlip, ReductionByTheNextCrack) {
-  for (auto [ratio, alpha] : {std::pair{1.0, 0.087}, {2.0, 0.174}, {4.0, 0.348}, {4.43, 0.3854}, {5.0, 0.4297},
-                              {6.0, 0.5059}, {8.0, 0.654}, {10.0, 0.7815}, {15.0, 0.9596}, {20.0, 0.9971}})
+  for (auto [ratio, alpha] : {std::pair{1.0, 0.087},
+                              {2.0, 0.174},
+                              {4.0, 0.348},
+                              {4.43, 0.3854},
+                              {5.0, 0.4297},
+                              {6.0, 0.5059},
+                              {8.0, 0.654},
+                              {10.0, 0.7815},
+                              {15.0, 0.9596},
+                              {20.0, 0.9971}})
     EXPECT_NEAR(slip_reduction(ratio), alpha, 5.1e-5) << ratio;
 }
 
@@ -81,8 +93,8 @@ TEST(BondSlip, UnloadingAfterYield) {
   EXPECT_GT(bond_strain(p, h, 0.101, 1), eps_max);
 }
 
-// The curve is recomputed only when shear changes the strength; a weaker bar yields at a smaller slip, and its elastic
-// line stays the same, or energy would appear from nothing.
+// The curve is recomputed only when shear changes the strength; a weaker bar yields at a smaller slip, and
+// its elastic line stays the same, or energy would appear from nothing.
 TEST(BondSlip, ReducedStrength) {
   auto const p = unit_scale(table_4(), 30e6);
   BondHistory h;
@@ -94,7 +106,8 @@ TEST(BondSlip, ReducedStrength) {
   EXPECT_GT(bond_strain(p, h, 0.026, 0.9), 0.03);
 }
 
-// Shear that weakens a yielded bar changes its further slopes, not its strain: a jump would stretch the steel for nothing.
+// Shear that weakens a yielded bar changes its further slopes, not its strain: a jump would stretch the steel
+// for nothing.
 TEST(BondSlip, WeakeningAfterYieldIsContinuous) {
   auto const p = unit_scale(table_4(), 30e6);
   BondHistory h;
@@ -103,8 +116,8 @@ TEST(BondSlip, WeakeningAfterYieldIsContinuous) {
   EXPECT_NEAR(bond_strain(p, h, 0.11, 0.8), before + 0.01 / (0.8 * 5.64), 1e-9);
 }
 
-// A tie with one crack per element yields at the mean strain 0.087 s(eps_y)/K_fc = 1.815e-3 for every element size, as
-// long as alpha is linear: the reason why the average curve does not depend on the mesh.
+// A tie with one crack per element yields at the mean strain 0.087 s(eps_y)/K_fc = 1.815e-3 for every element
+// size, as long as alpha is linear: the reason why the average curve does not depend on the mesh.
 TEST(BondSlip, MeanStrainAtYieldOfACrackedTie) {
   double const D = 0.03385137501;
   for (double spacing : {0.3, 0.15, 0.1, 0.075}) {

@@ -17,7 +17,8 @@ TEST(Dowel, LengthOfTheBentZone) {
   EXPECT_NEAR(bar(0.03385, 210e9).L_c0, 157.64166889e-3, 1e-9);
 }
 
-// Dowel forces at S = 0.2 mm and growing offset (Eq. 23): the bent zone lengthens as the concrete beside it is crushed.
+// Dowel forces at S = 0.2 mm and growing offset (Eq. 23): the bent zone lengthens as the concrete beside it
+// is crushed.
 TEST(Dowel, Forces) {
   auto const p = bar(0.016, 200e9);
   DowelHistory h;

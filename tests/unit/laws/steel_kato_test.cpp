@@ -9,7 +9,9 @@
 namespace {
 using namespace fissura::laws;
 
-SteelParams table_4() { return {210e9, 530e6, 650e6, 0.03, 0.1, 0.12, SteelLaw::kato}; }
+SteelParams table_4() {
+  return {210e9, 530e6, 650e6, 0.03, 0.1, 0.12, SteelLaw::kato};
+}
 
 double go(SteelKato const& law, KatoHistory& h, double to, int steps = 4000) {
   double const from = h.strain;
@@ -22,8 +24,13 @@ double go(SteelKato const& law, KatoHistory& h, double to, int steps = 4000) {
 TEST(SteelKato, MonotonicCurve) {
   SteelKato const law{table_4()};
   KatoHistory h;
-  for (auto [strain, stress] : {std::pair{0.001, 210.0}, {0.01, 530.0}, {0.03, 530.0}, {0.05, 588.776}, {0.08, 640.204},
-                                {0.1, 650.0}, {0.11, 487.5}})
+  for (auto [strain, stress] : {std::pair{0.001, 210.0},
+                                {0.01, 530.0},
+                                {0.03, 530.0},
+                                {0.05, 588.776},
+                                {0.08, 640.204},
+                                {0.1, 650.0},
+                                {0.11, 487.5}})
     EXPECT_NEAR(go(law, h, strain) / 1e6, stress, 0.001) << strain;
   EXPECT_FALSE(h.ruptured);
   EXPECT_EQ(go(law, h, 0.12), 0);
@@ -35,8 +42,15 @@ TEST(SteelKato, MonotonicCurve) {
 TEST(SteelKato, RegressionPath) {
   SteelKato const law{table_4()};
   KatoHistory h;
-  for (auto [strain, stress] : {std::pair{0.02, 530.0}, {0.015, -279.98}, {0.0, -520.55}, {-0.005, -537.51},
-                                {0.0, 272.47}, {0.005, 430.03}, {0.01, 485.04}, {0.02, 530.0}, {0.05, 567.43}})
+  for (auto [strain, stress] : {std::pair{0.02, 530.0},
+                                {0.015, -279.98},
+                                {0.0, -520.55},
+                                {-0.005, -537.51},
+                                {0.0, 272.47},
+                                {0.005, 430.03},
+                                {0.01, 485.04},
+                                {0.02, 530.0},
+                                {0.05, 567.43}})
     EXPECT_NEAR(go(law, h, strain) / 1e6, stress, 0.01) << strain;
 }
 
@@ -79,7 +93,9 @@ TEST(SteelKato, PlateauHoldsBelowYieldStrain) {
 }
 
 // Unloading gives back sigma^2/(2 E_s).
-TEST(SteelKato, RecoverableEnergy) { EXPECT_DOUBLE_EQ(steel_recoverable(table_4(), 420e6), 420e6 * 420e6 / 420e9); }
+TEST(SteelKato, RecoverableEnergy) {
+  EXPECT_DOUBLE_EQ(steel_recoverable(table_4(), 420e6), 420e6 * 420e6 / 420e9);
+}
 
 // The misprint eps_br = 0.019 < eps_u of Table 6 is refused, not computed with.
 TEST(SteelKato, MisprintedRuptureStrainIsRefused) {

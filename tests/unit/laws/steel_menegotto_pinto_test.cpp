@@ -6,7 +6,9 @@
 namespace {
 using namespace fissura::laws;
 
-SteelParams table_6() { return {190e9, 350e6, 540e6, 0.0165, 0.1, 0.12, SteelLaw::menegotto_pinto}; }
+SteelParams table_6() {
+  return {190e9, 350e6, 540e6, 0.0165, 0.1, 0.12, SteelLaw::menegotto_pinto};
+}
 
 double go(SteelMenegottoPinto const& law, MenegottoPintoHistory& h, double to, int steps = 4000) {
   double const from = h.strain;
