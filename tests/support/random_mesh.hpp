@@ -22,7 +22,9 @@ class Random {
     return z ^ (z >> 31);
   }
   /// Uniform in [low, high).
-  double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
+  }
   Vec3 vector(double low, double high) {
     double const x = uniform(low, high), y = uniform(low, high), z = uniform(low, high);
     return {x, y, z};
@@ -32,11 +34,11 @@ class Random {
   std::uint64_t state;
 };
 
-/// A box from the origin to `size` [m] in cells of 6 tets, its points moved by up to `amount` cell lengths along each
-/// axis; points on a side stay in it, corners stay. Moves that would leave a tet with less than a fifth of its
-/// volume are halved, so the mesh is always valid. Groups as in make_boxes (name "concrete").
-inline mesh::Mesh random_box_mesh(std::uint64_t seed, std::array<int, 3> cells = {3, 3, 3}, Vec3 size = {1, 1, 1},
-                                  double amount = 0.25) {
+/// A box from the origin to `size` [m] in cells of 6 tets, its points moved by up to `amount` cell lengths
+/// along each axis; points on a side stay in it, corners stay. Moves that would leave a tet with less than a
+/// fifth of its volume are halved, so the mesh is always valid. Groups as in make_boxes (name "concrete").
+inline mesh::Mesh random_box_mesh(std::uint64_t seed, std::array<int, 3> cells = {3, 3, 3},
+                                  Vec3 size = {1, 1, 1}, double amount = 0.25) {
   mesh::BoxCells box;
   box.to = size;
   box.cells = cells;

@@ -45,7 +45,8 @@ std::array<double, 6> dihedral_angles(Tet const& t) {
   std::array<double, 6> angle{};
   for (int e = 0; e < 6; ++e) {
     Vec3 const a = n[faces[e][0]], b = n[faces[e][1]];
-    angle[e] = std::numbers::pi - std::atan2(norm(cross(a, b)), dot(a, b)); // exact also for flat tets, unlike acos
+    angle[e] =
+        std::numbers::pi - std::atan2(norm(cross(a, b)), dot(a, b)); // exact also for flat tets, unlike acos
   }
   return angle;
 }
@@ -65,7 +66,9 @@ double mean_ratio(Tet const& t) {
   return 12 * root * root / squares;
 }
 
-double regular_edge(double volume) { return std::cbrt(6 * std::numbers::sqrt2 * volume); }
+double regular_edge(double volume) {
+  return std::cbrt(6 * std::numbers::sqrt2 * volume);
+}
 
 std::array<double, 4> barycentric(Tet const& t, Vec3 p) {
   Vec3 const l = inverse_edge_matrix(t) * (p - t[0]);

@@ -17,7 +17,9 @@ struct Face {
   int side;            ///< 4 tet + face
   bool same_points(Face const& b) const { return middle == b.middle && highest == b.highest; }
   bool operator<(Face const& b) const {
-    return middle != b.middle ? middle < b.middle : highest != b.highest ? highest < b.highest : side < b.side;
+    return middle != b.middle     ? middle < b.middle
+           : highest != b.highest ? highest < b.highest
+                                  : side < b.side;
   }
 };
 
@@ -37,9 +39,10 @@ std::array<int, 3> sorted_face(Mesh const& mesh, int side) {
   }
   auto const p = sorted_face(mesh, faces[0].side);
   Vec3 const c = (mesh.points[p[0]] + mesh.points[p[1]] + mesh.points[p[2]]) / 3;
-  throw core::InputError({}, fmt::format("{} tets share one face at ({:g}, {:g}, {:g}) m: tets {}; a face joins two "
-                                         "tets at most",
-                                         faces.size(), c.x, c.y, c.z, tets));
+  throw core::InputError(
+      {}, fmt::format("{} tets share one face at ({:g}, {:g}, {:g}) m: tets {}; a face joins two "
+                      "tets at most",
+                      faces.size(), c.x, c.y, c.z, tets));
 }
 
 /// For each side 4 tet + face the other side of the same face, or -1.

@@ -31,8 +31,10 @@ void check_numbers(BoxCells const& b) {
   Vec3 const size = upper(b) - lower(b);
   for (int k = 0; k < 3; ++k) {
     char const axis = "xyz"[k];
-    if (!std::isfinite(b.from[k]) || !std::isfinite(b.to[k])) refuse(b, fmt::format("{} is not a number", axis));
-    if (!(size[k] > 0)) refuse(b, fmt::format("no extent along {}: both corners are at {:g} m", axis, b.from[k]));
+    if (!std::isfinite(b.from[k]) || !std::isfinite(b.to[k]))
+      refuse(b, fmt::format("{} is not a number", axis));
+    if (!(size[k] > 0))
+      refuse(b, fmt::format("no extent along {}: both corners are at {:g} m", axis, b.from[k]));
     if (b.cells[k] < 1) refuse(b, fmt::format("{} cells along {}, at least 1 is needed", b.cells[k], axis));
     if (!(b.grading[k] >= 1e-6 && b.grading[k] <= 1e6))
       refuse(b, fmt::format("grading {:g} along {} is outside 1e-6 .. 1e6", b.grading[k], axis));
@@ -89,9 +91,9 @@ struct Block {
 /// Numbers of the points a box uses, by half-cell position: made when first asked for.
 class Numbering {
  public:
-  Numbering(BoxCells const& b, Block& block_) : block(block_), size{2 * b.cells[0] + 1, 2 * b.cells[1] + 1,
-                                                                    2 * b.cells[2] + 1},
-                                                layered(b.tets_per_cell == 24) {
+  Numbering(BoxCells const& b, Block& block_)
+      : block(block_), size{2 * b.cells[0] + 1, 2 * b.cells[1] + 1, 2 * b.cells[2] + 1},
+        layered(b.tets_per_cell == 24) {
     Vec3 const low = lower(b), high = upper(b);
     for (int k = 0; k < 3; ++k) planes[k] = half_planes(low[k], high[k], b.cells[k], b.grading[k]);
     std::size_t const slots = layered ? std::size_t(size[0]) * size[1] * size[2]
@@ -120,7 +122,8 @@ class Numbering {
   std::vector<int> numbers;
 };
 
-/// Six tets around the diagonal from the lowest to the highest corner: one per order in which the axes are walked.
+/// Six tets around the diagonal from the lowest to the highest corner: one per order in which the axes are
+/// walked.
 void cut_into_6(Half origin, Numbering& number, std::vector<std::array<int, 4>>& tets) {
   static constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}}; // three even ones, three odd ones
@@ -151,7 +154,8 @@ void cut_into_24(Half origin, Numbering& number, std::vector<std::array<int, 4>>
           h[axis] += 2 * end, h[u] += ring[i][0], h[v] += ring[i][1];
           return number(h);
         };
-        // The ring turns about +axis, so on the far side (end = 1) it turns outwards as the base of a tet must not.
+        // The ring turns about +axis, so on the far side (end = 1) it turns outwards as the base of a tet
+        // must not.
         int const a = corner(end ? e + 1 : e), b = corner(end ? e : e + 1);
         tets.push_back({a, b, number(centre), middle});
       }
@@ -166,8 +170,10 @@ Block make_block(BoxCells const& b) {
     for (int j = 0; j < b.cells[1]; ++j)
       for (int i = 0; i < b.cells[0]; ++i) {
         Half const origin{2 * i, 2 * j, 2 * k};
-        if (b.tets_per_cell == 6) cut_into_6(origin, number, block.tets);
-        else cut_into_24(origin, number, block.tets);
+        if (b.tets_per_cell == 6)
+          cut_into_6(origin, number, block.tets);
+        else
+          cut_into_24(origin, number, block.tets);
       }
   return block;
 }
@@ -209,7 +215,8 @@ std::vector<std::vector<int>> merge_points(std::vector<Block> const& blocks, dou
   std::vector<Vec3> all;
   for (auto const& block : blocks) all.insert(all.end(), block.points.begin(), block.points.end());
   std::vector<int> first(all.size());
-  if (blocks.size() > 1) first = find_coincident(all, tolerance);
+  if (blocks.size() > 1)
+    first = find_coincident(all, tolerance);
   else
     for (std::size_t i = 0; i < all.size(); ++i) first[i] = static_cast<int>(i);
   std::vector<int> number(all.size());

@@ -14,7 +14,9 @@ namespace fissura::mesh {
 
 namespace {
 
-std::string at(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", p.x, p.y, p.z); }
+std::string at(Vec3 p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", p.x, p.y, p.z);
+}
 
 int number_of(Mesh const& m, int tet) {
   return tet < static_cast<int>(m.input_id.size()) ? m.input_id[tet] : tet;
@@ -78,7 +80,8 @@ void check_indices(Mesh const& m, Findings& findings) {
     if (!std::all_of(m.tets[t].begin(), m.tets[t].end(), exists))
       tets.add(fmt::format("tet {}", number_of(m, static_cast<int>(t))));
   findings.add(tets, "tets with a corner that is no point of the mesh");
-  auto const check_group = [&](std::string const& kind, std::string const& name, auto const& items, auto valid) {
+  auto const check_group = [&](std::string const& kind, std::string const& name, auto const& items,
+                               auto valid) {
     if (items.empty()) findings.add(fmt::format("{} group '{}' is empty", kind, name));
     if (!std::all_of(items.begin(), items.end(), valid))
       findings.add(fmt::format("{} group '{}' has a point that is no point of the mesh", kind, name));
@@ -94,8 +97,10 @@ void check_volume_groups(Mesh const& m, Findings& findings) {
   Cases lost;
   for (std::size_t t = 0; t < m.tets.size(); ++t) {
     int const g = t < m.tet_group.size() ? m.tet_group[t] : -1;
-    if (g >= 0 && g < static_cast<int>(size.size())) ++size[g];
-    else lost.add(fmt::format("tet {}", number_of(m, static_cast<int>(t))));
+    if (g >= 0 && g < static_cast<int>(size.size()))
+      ++size[g];
+    else
+      lost.add(fmt::format("tet {}", number_of(m, static_cast<int>(t))));
   }
   findings.add(lost, "tets that belong to no volume group");
   for (std::size_t g = 0; g < size.size(); ++g)
@@ -109,11 +114,14 @@ void check_volumes(Mesh const& m, Findings& findings) {
     double const altitude = geometry::smallest_altitude(x);
     double const limit = 1e-6 * geometry::longest_edge(x);
     double const v = geometry::volume(x);
-    // The smallest altitude of an inverted tet is its most negative one: look at the largest, nearest to zero.
+    // The smallest altitude of an inverted tet is its most negative one: look at the largest, nearest to
+    // zero.
     auto const h = geometry::altitudes(x);
     bool const thin = v > 0 ? altitude <= limit : *std::max_element(h.begin(), h.end()) >= -limit;
-    if (thin) flat.add(tet_at(m, t));
-    else if (v < 0) inverted.add(tet_at(m, t));
+    if (thin)
+      flat.add(tet_at(m, t));
+    else if (v < 0)
+      inverted.add(tet_at(m, t));
   }
   findings.add(flat, "tets without volume");
   findings.add(inverted, "inverted tets (negative volume)");
@@ -158,8 +166,9 @@ void check_overlaps(Mesh const& m, Adjacency const& adjacency, Findings& finding
     if (o.coincident) continue;
     cases.add(fmt::format("tets {} and {} at {}", number_of(m, o.a.tet), number_of(m, o.b.tet), at(o.place)));
   }
-  findings.add(cases, "pairs of boundary faces that overlap without matching (hanging faces: the cells of touching "
-                      "boxes must match, and no node may lie inside a face or on its edge)");
+  findings.add(cases,
+               "pairs of boundary faces that overlap without matching (hanging faces: the cells of touching "
+               "boxes must match, and no node may lie inside a face or on its edge)");
 }
 
 void check_surface_groups(Mesh const& m, Findings& findings) {

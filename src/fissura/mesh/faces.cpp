@@ -5,7 +5,8 @@
 
 namespace fissura::mesh {
 
-FaceFinder::FaceFinder(Mesh const& mesh_) : mesh(mesh_), begin(mesh_.points.size() + 2, 0), tets(4 * mesh_.tets.size()) {
+FaceFinder::FaceFinder(Mesh const& mesh_)
+    : mesh(mesh_), begin(mesh_.points.size() + 2, 0), tets(4 * mesh_.tets.size()) {
   for (auto const& t : mesh.tets)
     for (int p : t) ++begin[p + 2];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());

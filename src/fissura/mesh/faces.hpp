@@ -12,7 +12,8 @@ namespace fissura::mesh {
 class FaceFinder {
  public:
   explicit FaceFinder(Mesh const& mesh);
-  /// The (at most two, in a sound mesh) sides of tets whose corners are these three points, by rising tet number.
+  /// The (at most two, in a sound mesh) sides of tets whose corners are these three points, by rising tet
+  /// number.
   std::vector<TetFace> find(std::array<int, 3> const& triangle) const;
 
  private:

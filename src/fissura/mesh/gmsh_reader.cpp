@@ -28,7 +28,8 @@ enum ElementType { line_2 = 1, triangle_3 = 2, tet_4 = 4, point_1 = 15 };
   throw core::InputError({path.string(), line, 0}, std::move(message));
 }
 
-// ---- before gmsh sees the file -------------------------------------------------------------------------------
+// ---- before gmsh sees the file
+// -------------------------------------------------------------------------------
 
 std::string read_text(fs::path const& path) {
   std::error_code error;
@@ -65,10 +66,14 @@ std::string blank_comments(std::string text) {
     return found == std::string::npos ? text.size() : found + mark.size();
   };
   while (i < text.size()) {
-    if (text.compare(i, 2, "//") == 0) blank_to(after("\n", i));
-    else if (text.compare(i, 2, "/*") == 0) blank_to(after("*/", i + 2));
-    else if (text[i] == '"') blank_to(after("\"", i + 1));
-    else ++i;
+    if (text.compare(i, 2, "//") == 0)
+      blank_to(after("\n", i));
+    else if (text.compare(i, 2, "/*") == 0)
+      blank_to(after("*/", i + 2));
+    else if (text[i] == '"')
+      blank_to(after("\"", i + 1));
+    else
+      ++i;
   }
   return text;
 }
@@ -82,11 +87,13 @@ void check_statements(fs::path const& path, std::string const& geo) {
       auto const end = at + statement.size();
       if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end]))) continue;
       refuse(path, fmt::format("statement '{}' is not allowed in the geometry of a case", statement),
-             1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
+             1 + static_cast<int>(
+                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
     }
 }
 
-// ---- out of gmsh ---------------------------------------------------------------------------------------------
+// ---- out of gmsh
+// ---------------------------------------------------------------------------------------------
 
 /// What gmsh holds, on its way into a Mesh.
 struct Import {
@@ -97,8 +104,10 @@ struct Import {
 
   int point(std::size_t tag) const {
     auto const found = std::lower_bound(node_tags.begin(), node_tags.end(), tag);
-    if (found == node_tags.end() || *found != tag) refuse(path, fmt::format("an element names node {}, which is not "
-                                                                            "in the mesh", tag));
+    if (found == node_tags.end() || *found != tag)
+      refuse(path, fmt::format("an element names node {}, which is not "
+                               "in the mesh",
+                               tag));
     return static_cast<int>(found - node_tags.begin());
   }
 };
@@ -127,7 +136,8 @@ std::string name_of(int dimension, int physical) {
 struct Elements {
   Tags tags, nodes;
 };
-Elements elements_of(Import const& import, int dimension, int entity, ElementType wanted, std::string const& what) {
+Elements elements_of(Import const& import, int dimension, int entity, ElementType wanted,
+                     std::string const& what) {
   std::vector<int> types;
   std::vector<Tags> tags, nodes;
   gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
@@ -141,9 +151,10 @@ Elements elements_of(Import const& import, int dimension, int entity, ElementTyp
     int d = 0, order = 0, count = 0, primary = 0;
     std::vector<double> local;
     gmsh::model::mesh::getElementProperties(types[k], type, d, order, count, local, primary);
-    refuse(import.path, fmt::format("{} elements of type '{}' in {}: only first-order tetrahedra, triangles, lines and "
-                                    "points are known (no recombined or second-order mesh)",
-                                    tags[k].size(), type, what));
+    refuse(import.path,
+           fmt::format("{} elements of type '{}' in {}: only first-order tetrahedra, triangles, lines and "
+                       "points are known (no recombined or second-order mesh)",
+                       tags[k].size(), type, what));
   }
   return found;
 }
@@ -157,9 +168,10 @@ int volume_group(Import& import, int entity) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   if (names.size() > 1)
-    refuse(import.path, fmt::format("volume {} belongs to the physical volumes '{}': a tet has one material, so "
-                                    "physical volumes must not overlap",
-                                    entity, names[0] + "', '" + names[1]));
+    refuse(import.path,
+           fmt::format("volume {} belongs to the physical volumes '{}': a tet has one material, so "
+                       "physical volumes must not overlap",
+                       entity, names[0] + "', '" + names[1]));
   std::string const name = names.empty() ? "default" : names[0];
   auto& groups = import.mesh.volume_groups;
   auto const found = std::find(groups.begin(), groups.end(), name);
@@ -182,7 +194,8 @@ void import_tets(Import& import) {
       if (geometry::volume(corners(m, static_cast<int>(m.tets.size()) - 1)) < 0)
         std::swap(m.tets.back()[0], m.tets.back()[1]);
       m.tet_group.push_back(group);
-      m.input_id.push_back(static_cast<int>(std::min<std::size_t>(found.tags[i], std::numeric_limits<int>::max())));
+      m.input_id.push_back(
+          static_cast<int>(std::min<std::size_t>(found.tags[i], std::numeric_limits<int>::max())));
     }
   }
 }
@@ -205,7 +218,8 @@ template <class Take> void import_physicals(Import& import, int dimension, Eleme
     gmsh::model::getEntitiesForPhysicalGroup(dimension, physical, entities);
     std::sort(entities.begin(), entities.end(), [](int a, int b) { return std::abs(a) < std::abs(b); });
     for (int entity : entities)
-      take(name, elements_of(import, dimension, std::abs(entity), type, fmt::format("physical group '{}'", name)));
+      take(name,
+           elements_of(import, dimension, std::abs(entity), type, fmt::format("physical group '{}'", name)));
   }
 }
 
@@ -214,7 +228,8 @@ void import_groups(Import& import) {
   import_physicals(import, 2, triangle_3, [&](std::string const& name, Elements const& e) {
     auto& triangles = group_named(m.face_groups, name).triangles;
     for (std::size_t i = 0; i < e.nodes.size(); i += 3)
-      triangles.push_back({import.point(e.nodes[i]), import.point(e.nodes[i + 1]), import.point(e.nodes[i + 2])});
+      triangles.push_back(
+          {import.point(e.nodes[i]), import.point(e.nodes[i + 1]), import.point(e.nodes[i + 2])});
   });
   import_physicals(import, 1, line_2, [&](std::string const& name, Elements const& e) {
     auto& segments = group_named(m.line_groups, name).segments;
@@ -227,7 +242,8 @@ void import_groups(Import& import) {
   });
 }
 
-/// gmsh forgets the named groups of a .msh that have no elements; they are kept here so that the check finds them.
+/// gmsh forgets the named groups of a .msh that have no elements; they are kept here so that the check finds
+/// them.
 void keep_empty_names(std::string const& text, Mesh& m) {
   auto const start = text.find("$PhysicalNames");
   if (start == std::string::npos) return;
@@ -238,7 +254,8 @@ void keep_empty_names(std::string const& text, Mesh& m) {
     std::string name;
     std::getline(std::getline(in, name, '"'), name, '"');
     if (name.empty()) continue;
-    if (dimension == 3 && std::find(m.volume_groups.begin(), m.volume_groups.end(), name) == m.volume_groups.end())
+    if (dimension == 3 &&
+        std::find(m.volume_groups.begin(), m.volume_groups.end(), name) == m.volume_groups.end())
       m.volume_groups.push_back(name);
     if (dimension == 2) group_named(m.face_groups, name);
     if (dimension == 1) group_named(m.line_groups, name);
@@ -253,8 +270,10 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
   bool const is_geometry = path.extension() == ".geo";
   if (!is_geometry && path.extension() != ".msh") refuse(path, "a mesh file ends in .msh or .geo");
   std::string const text = read_text(path);
-  if (is_geometry) check_statements(path, text);
-  else check_format(path, text);
+  if (is_geometry)
+    check_statements(path, text);
+  else
+    check_format(path, text);
 
   Import import{path, length_unit, {}, {}};
   GmshSession const session(path);
@@ -272,7 +291,8 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
     import_groups(import);
   });
   if (import.mesh.tets.empty())
-    refuse(path, is_geometry ? "the geometry has no volume, so its mesh has no tets" : "the mesh has no tets");
+    refuse(path,
+           is_geometry ? "the geometry has no volume, so its mesh has no tets" : "the mesh has no tets");
   if (!is_geometry) keep_empty_names(text, import.mesh);
   drop_unused_points(import.mesh);
   return std::move(import.mesh);

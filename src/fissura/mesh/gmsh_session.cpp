@@ -50,7 +50,8 @@ void GmshSession::prepare() const {
   guard([] {
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1); // the same mesh on every machine
-    // gmsh must not throw out of the middle of its parser: that would leave the parser broken for the next file.
+    // gmsh must not throw out of the middle of its parser: that would leave the parser broken for the next
+    // file.
     gmsh::option::setNumber("General.AbortOnError", 0);
     gmsh::logger::start();
   });
@@ -87,7 +88,8 @@ void GmshSession::check_log() const {
 }
 
 void GmshSession::refuse(std::string const& message) const {
-  throw core::InputError({file.string(), line_in(message), 0}, "gmsh cannot make a mesh of this file: " + message);
+  throw core::InputError({file.string(), line_in(message), 0},
+                         "gmsh cannot make a mesh of this file: " + message);
 }
 
 } // namespace fissura::mesh

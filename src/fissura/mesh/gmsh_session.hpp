@@ -6,8 +6,8 @@
 
 namespace fissura::mesh {
 
-/// Holds the gmsh library initialised, without its configuration files and without output to the terminal, for as
-/// long as it lives. gmsh is one global object, so a second session waits for the first one's end.
+/// Holds the gmsh library initialised, without its configuration files and without output to the terminal,
+/// for as long as it lives. gmsh is one global object, so a second session waits for the first one's end.
 class GmshSession {
  public:
   /// @param file_ named in errors
@@ -16,8 +16,9 @@ class GmshSession {
   GmshSession(GmshSession const&) = delete;
   GmshSession& operator=(GmshSession const&) = delete;
 
-  /// Calls work(). What gmsh throws (strings, numbers, exceptions) and what it only notes in its log as an error
-  /// becomes core::InputError at the file, with gmsh's words and the line they name; core errors pass through.
+  /// Calls work(). What gmsh throws (strings, numbers, exceptions) and what it only notes in its log as an
+  /// error becomes core::InputError at the file, with gmsh's words and the line they name; core errors pass
+  /// through.
   template <class Work> void guard(Work work) const {
     try {
       work();

@@ -22,7 +22,8 @@ namespace {
 class PointCells {
  public:
   PointCells(std::span<Vec3 const> points_, double cell_)
-      : points(points_), cell(cell_), heads(std::bit_ceil(2 * points_.size() + 2), -1), next(points_.size(), -1) {}
+      : points(points_), cell(cell_), heads(std::bit_ceil(2 * points_.size() + 2), -1),
+        next(points_.size(), -1) {}
 
   void insert(int i) {
     auto& head = heads[slot(index(points[i], {}))];

@@ -1,5 +1,5 @@
-// Candidates come from a grid of cells: each boundary face is listed in the cells its bounding box touches, and two
-// faces are compared in the one cell that holds the lower corner of their boxes' common part.
+// Candidates come from a grid of cells: each boundary face is listed in the cells its bounding box touches,
+// and two faces are compared in the one cell that holds the lower corner of their boxes' common part.
 #include "fissura/mesh/overlap.hpp"
 
 #include <algorithm>
@@ -54,7 +54,8 @@ Grid make_grid(std::vector<Flat> const& faces) {
     sum += f.longest;
   }
   Vec3 const extent = far - grid.origin;
-  grid.size = std::max(sum / static_cast<double>(faces.size()), 1e-9 * std::max({extent.x, extent.y, extent.z}));
+  grid.size =
+      std::max(sum / static_cast<double>(faces.size()), 1e-9 * std::max({extent.x, extent.y, extent.z}));
   for (;; grid.size *= 2) {
     double entries = 0;
     for (Flat const& f : faces) entries += grid.cells_of(f);
@@ -98,7 +99,8 @@ bool in_one_plane(Flat const& a, Flat const& b, double tolerance) {
 
 bool same_corners(Flat const& a, Flat const& b, double tolerance) {
   return std::all_of(a.corner.begin(), a.corner.end(), [&](Vec3 p) {
-    return std::any_of(b.corner.begin(), b.corner.end(), [&](Vec3 q) { return core::norm(p - q) <= tolerance; });
+    return std::any_of(b.corner.begin(), b.corner.end(),
+                       [&](Vec3 q) { return core::norm(p - q) <= tolerance; });
   });
 }
 
@@ -126,10 +128,10 @@ std::vector<FaceOverlap> find_overlaps(Mesh const& mesh, Adjacency const& adjace
       double const area = common_area(large, small);
       if (!(area > 0)) continue;
       bool const opposite = core::dot(a.normal, b.normal) < 0;
-      found.push_back({{i->face, j->face},
-                       {adjacency.boundary[i->face], adjacency.boundary[j->face], area,
-                        geometry::centroid(small.corner),
-                        opposite && same_corners(a, b, 1e-4 * small.longest)}});
+      found.push_back(
+          {{i->face, j->face},
+           {adjacency.boundary[i->face], adjacency.boundary[j->face], area, geometry::centroid(small.corner),
+            opposite && same_corners(a, b, 1e-4 * small.longest)}});
     }
   std::sort(found.begin(), found.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
   std::vector<FaceOverlap> overlaps;

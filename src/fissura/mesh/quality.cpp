@@ -18,10 +18,13 @@ NamedTet name(Mesh const& m, int tet) {
 }
 
 std::string text(NamedTet const& t) {
-  return fmt::format("tet {} at ({:.6g}, {:.6g}, {:.6g}) m", t.input_id, t.centroid.x, t.centroid.y, t.centroid.z);
+  return fmt::format("tet {} at ({:.6g}, {:.6g}, {:.6g}) m", t.input_id, t.centroid.x, t.centroid.y,
+                     t.centroid.z);
 }
 
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
 
 /// Volumes, altitudes and angles.
 void measure_shapes(Mesh const& m, Quality& q) {
@@ -60,7 +63,8 @@ void measure_extents(Mesh const& m, Quality& q) {
       sum[k] += high - low;
     }
   }
-  for (int k = 0; k < 3; ++k) q.elements_over[k] = (q.high[k] - q.low[k]) * static_cast<double>(q.tets) / sum[k];
+  for (int k = 0; k < 3; ++k)
+    q.elements_over[k] = (q.high[k] - q.low[k]) * static_cast<double>(q.tets) / sum[k];
 }
 
 } // namespace
@@ -81,25 +85,27 @@ Quality measure_quality(Mesh const& mesh, Adjacency const& adjacency) {
 std::vector<std::string> quality_warnings(Quality const& q) {
   std::vector<std::string> warnings;
   if (q.slivers > 0)
-    warnings.push_back(fmt::format("{} of {} tets are slivers (a dihedral angle below {:.0f} degrees or an altitude "
-                                   "below {:g} of the longest edge); the sharpest has {:.2g} degrees: {}",
-                                   q.slivers, q.tets, degrees(sliver_angle), sliver_ratio,
-                                   degrees(q.smallest_angle), text(q.smallest_angle_tet)));
+    warnings.push_back(
+        fmt::format("{} of {} tets are slivers (a dihedral angle below {:.0f} degrees or an altitude "
+                    "below {:g} of the longest edge); the sharpest has {:.2g} degrees: {}",
+                    q.slivers, q.tets, degrees(sliver_angle), sliver_ratio, degrees(q.smallest_angle),
+                    text(q.smallest_angle_tet)));
   if (q.smallest_altitude < 0.1 * q.mean_h)
-    warnings.push_back(fmt::format("the smallest altitude, {:.3g} m, is {:.2g} of the mean element size {:.3g} m and "
-                                   "will limit the time step: {}",
-                                   q.smallest_altitude, q.smallest_altitude / q.mean_h, q.mean_h,
-                                   text(q.smallest_altitude_tet)));
+    warnings.push_back(fmt::format(
+        "the smallest altitude, {:.3g} m, is {:.2g} of the mean element size {:.3g} m and "
+        "will limit the time step: {}",
+        q.smallest_altitude, q.smallest_altitude / q.mean_h, q.mean_h, text(q.smallest_altitude_tet)));
   for (int k = 0; k < 3; ++k)
     if (q.elements_over[k] < 3.5)
-      warnings.push_back(fmt::format("about {:.1f} elements over the extent along {} ({:.4g} m): bending across it "
-                                     "is poorly resolved below 4",
-                                     q.elements_over[k], "xyz"[k], q.high[k] - q.low[k]));
+      warnings.push_back(
+          fmt::format("about {:.1f} elements over the extent along {} ({:.4g} m): bending across it "
+                      "is poorly resolved below 4",
+                      q.elements_over[k], "xyz"[k], q.high[k] - q.low[k]));
   if (q.open_interfaces > 0)
-    warnings.push_back(fmt::format("{} pairs of boundary faces coincide without sharing points, first at ({:.6g}, "
-                                   "{:.6g}, {:.6g}) m: the mesh is open there and carries no tension",
-                                   q.open_interfaces, q.open_interface_at.x, q.open_interface_at.y,
-                                   q.open_interface_at.z));
+    warnings.push_back(
+        fmt::format("{} pairs of boundary faces coincide without sharing points, first at ({:.6g}, "
+                    "{:.6g}, {:.6g}) m: the mesh is open there and carries no tension",
+                    q.open_interfaces, q.open_interface_at.x, q.open_interface_at.y, q.open_interface_at.z));
   return warnings;
 }
 

@@ -13,12 +13,22 @@ namespace fissura::mesh {
 namespace {
 
 /// Rotations of the three bits of an octant number.
-unsigned rotate_left(unsigned b, unsigned n) { return ((b << n) | (b >> (3 - n))) & 7u; }
-unsigned rotate_right(unsigned b, unsigned n) { return ((b >> n) | (b << (3 - n))) & 7u; }
-unsigned gray(unsigned i) { return i ^ (i >> 1); }
-unsigned gray_rank(unsigned g) { return (g ^ (g >> 1) ^ (g >> 2)) & 7u; }
+unsigned rotate_left(unsigned b, unsigned n) {
+  return ((b << n) | (b >> (3 - n))) & 7u;
+}
+unsigned rotate_right(unsigned b, unsigned n) {
+  return ((b >> n) | (b << (3 - n))) & 7u;
+}
+unsigned gray(unsigned i) {
+  return i ^ (i >> 1);
+}
+unsigned gray_rank(unsigned g) {
+  return (g ^ (g >> 1) ^ (g >> 2)) & 7u;
+}
 /// The corner at which the curve enters its i-th octant, and the axis along which it leaves it.
-unsigned entry(unsigned i) { return i == 0 ? 0 : gray(2 * ((i - 1) / 2)); }
+unsigned entry(unsigned i) {
+  return i == 0 ? 0 : gray(2 * ((i - 1) / 2));
+}
 unsigned direction(unsigned i) {
   if (i == 0) return 0;
   return static_cast<unsigned>(std::countr_one(i % 2 == 0 ? i - 1 : i)) % 3;
@@ -83,8 +93,8 @@ template <class T> void reorder(std::vector<T>& values, std::vector<int> const& 
 } // namespace
 
 std::uint64_t hilbert_index(std::array<std::uint32_t, 3> cell, int bits) {
-  // At each level the curve in the present cube is the standard one, turned so that it enters at corner `from` and
-  // leaves along axis `axis`.
+  // At each level the curve in the present cube is the standard one, turned so that it enters at corner
+  // `from` and leaves along axis `axis`.
   std::uint64_t index = 0;
   unsigned from = 0, axis = 0;
   for (int level = bits - 1; level >= 0; --level) {

@@ -20,19 +20,28 @@ using mesh::TetFace;
 
 namespace {
 
-// ---- errors --------------------------------------------------------------------------------------------------
+// ---- errors
+// --------------------------------------------------------------------------------------------------
 
-std::string text(Vec3 p) { return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z); }
+std::string text(Vec3 p) {
+  return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z);
+}
 
 std::string describe(Selector const& s) {
   std::string const within = s.tolerance > 0 ? fmt::format(" within {:g} m", s.tolerance) : "";
   switch (s.kind) {
-  case Kind::all: return "everything";
-  case Kind::group: return fmt::format("group '{}'", s.group);
-  case Kind::plane: return fmt::format("plane {} = {:g} m{}", "xyz"[s.axis], s.at, within);
-  case Kind::box: return fmt::format("box {} to {} m{}", text(s.from), text(s.to), within);
-  case Kind::line: return fmt::format("line {} to {} m{}", text(s.from), text(s.to), within);
-  case Kind::point: return fmt::format("point {} m{}", text(s.from), within);
+  case Kind::all:
+    return "everything";
+  case Kind::group:
+    return fmt::format("group '{}'", s.group);
+  case Kind::plane:
+    return fmt::format("plane {} = {:g} m{}", "xyz"[s.axis], s.at, within);
+  case Kind::box:
+    return fmt::format("box {} to {} m{}", text(s.from), text(s.to), within);
+  case Kind::line:
+    return fmt::format("line {} to {} m{}", text(s.from), text(s.to), within);
+  case Kind::point:
+    return fmt::format("point {} m{}", text(s.from), within);
   }
   return "";
 }
@@ -41,8 +50,8 @@ std::string describe(Selector const& s) {
   Vec3 low = m.points.empty() ? Vec3{} : m.points[0], high = low;
   for (Vec3 const p : m.points)
     for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-  throw core::InputError(s.place, fmt::format("{} selects no {}; the model reaches from {} to {} m", describe(s), what,
-                                              text(low), text(high)));
+  throw core::InputError(s.place, fmt::format("{} selects no {}; the model reaches from {} to {} m",
+                                              describe(s), what, text(low), text(high)));
 }
 
 /// Number of insertions, deletions and replacements that turn a into b.
@@ -60,7 +69,8 @@ std::size_t edit_distance(std::string const& a, std::string const& b) {
   return row[b.size()];
 }
 
-// ---- groups --------------------------------------------------------------------------------------------------
+// ---- groups
+// --------------------------------------------------------------------------------------------------
 
 /// Indices of the groups a name stands for, by kind; -1 where there is none.
 struct Found {
@@ -99,9 +109,10 @@ Found find_group(Mesh const& m, Selector const& s) {
 }
 
 [[noreturn]] void refuse_kind(Selector const& s, std::string const& what) {
-  throw core::InputError(s.place, fmt::format("group '{}' has no {}: name a surface or volume group, or use a plane "
-                                              "or a box",
-                                              s.group, what));
+  throw core::InputError(s.place,
+                         fmt::format("group '{}' has no {}: name a surface or volume group, or use a plane "
+                                     "or a box",
+                                     s.group, what));
 }
 
 std::vector<char> points_of_group(Mesh const& m, Selector const& s) {
@@ -123,11 +134,13 @@ std::vector<char> points_of_group(Mesh const& m, Selector const& s) {
   return chosen;
 }
 
-// ---- places --------------------------------------------------------------------------------------------------
+// ---- places
+// --------------------------------------------------------------------------------------------------
 
 /// Indices i < count for which candidate(i) holds and the place at(i) is selected (by geometry).
 template <class Candidate, class At>
-std::vector<int> select_places(Mesh const& m, Selector const& s, std::size_t count, Candidate candidate, At at) {
+std::vector<int> select_places(Mesh const& m, Selector const& s, std::size_t count, Candidate candidate,
+                               At at) {
   std::vector<int> chosen;
   if (s.kind == Kind::point && s.tolerance <= 0) {
     double least = std::numeric_limits<double>::infinity();
@@ -144,28 +157,34 @@ std::vector<int> select_places(Mesh const& m, Selector const& s, std::size_t cou
   return chosen;
 }
 
-bool always(int) { return true; }
+bool always(int) {
+  return true;
+}
 
-std::vector<int> non_empty(std::vector<int> chosen, Mesh const& m, Selector const& s, std::string const& what) {
+std::vector<int> non_empty(std::vector<int> chosen, Mesh const& m, Selector const& s,
+                           std::string const& what) {
   if (chosen.empty()) refuse_empty(m, s, what);
   return chosen;
 }
 
 /// The boundary faces that are the triangles of a surface group.
-std::vector<TetFace> faces_of_surface(Mesh const& m, mesh::Adjacency const& adjacency, mesh::FaceGroup const& group,
-                                      Selector const& s) {
+std::vector<TetFace> faces_of_surface(Mesh const& m, mesh::Adjacency const& adjacency,
+                                      mesh::FaceGroup const& group, Selector const& s) {
   mesh::FaceFinder const finder(m);
   std::vector<TetFace> faces;
   std::size_t inner = 0;
   for (auto const& t : group.triangles) {
     auto const sides = finder.find(t);
-    if (sides.size() == 1 && adjacency.shared_of_tet[sides[0].tet][sides[0].face] < 0) faces.push_back(sides[0]);
-    else ++inner;
+    if (sides.size() == 1 && adjacency.shared_of_tet[sides[0].tet][sides[0].face] < 0)
+      faces.push_back(sides[0]);
+    else
+      ++inner;
   }
   if (inner > 0)
-    throw core::InputError(s.place, fmt::format("{} of the {} triangles of group '{}' are not on the boundary of the "
-                                                "body; faces to load must be outer ones",
-                                                inner, group.triangles.size(), s.group));
+    throw core::InputError(s.place,
+                           fmt::format("{} of the {} triangles of group '{}' are not on the boundary of the "
+                                       "body; faces to load must be outer ones",
+                                       inner, group.triangles.size(), s.group));
   std::sort(faces.begin(), faces.end(),
             [](TetFace a, TetFace b) { return a.tet != b.tet ? a.tet < b.tet : a.face < b.face; });
   return faces;
@@ -196,7 +215,8 @@ std::vector<int> shared_of_group(Mesh const& m, mesh::Adjacency const& adjacency
   mesh::FaceFinder const finder(m);
   for (auto const& t : m.face_groups[f.surface].triangles)
     for (TetFace const side : finder.find(t))
-      if (int const shared = adjacency.shared_of_tet[side.tet][side.face]; shared >= 0) chosen.push_back(shared);
+      if (int const shared = adjacency.shared_of_tet[side.tet][side.face]; shared >= 0)
+        chosen.push_back(shared);
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
@@ -204,17 +224,25 @@ std::vector<int> shared_of_group(Mesh const& m, mesh::Adjacency const& adjacency
 
 } // namespace
 
-double default_tolerance(Mesh const& mesh) { return 1e-6 * mesh::largest_extent(mesh.points); }
+double default_tolerance(Mesh const& mesh) {
+  return 1e-6 * mesh::largest_extent(mesh.points);
+}
 
 bool inside(Selector const& s, Vec3 x, double fallback_tolerance) {
   double const tolerance = s.tolerance > 0 ? s.tolerance : fallback_tolerance;
   switch (s.kind) {
-  case Kind::all: return true;
-  case Kind::group: return false;
-  case Kind::plane: return std::abs(x[s.axis] - s.at) <= tolerance;
-  case Kind::line: return geometry::distance_to_segment(x, s.from, s.to) <= tolerance;
-  case Kind::point: return core::norm(x - s.from) <= tolerance;
-  case Kind::box: break;
+  case Kind::all:
+    return true;
+  case Kind::group:
+    return false;
+  case Kind::plane:
+    return std::abs(x[s.axis] - s.at) <= tolerance;
+  case Kind::line:
+    return geometry::distance_to_segment(x, s.from, s.to) <= tolerance;
+  case Kind::point:
+    return core::norm(x - s.from) <= tolerance;
+  case Kind::box:
+    break;
   }
   for (int k = 0; k < 3; ++k)
     if (x[k] < std::min(s.from[k], s.to[k]) - tolerance || x[k] > std::max(s.from[k], s.to[k]) + tolerance)
@@ -230,12 +258,14 @@ std::vector<int> select_points(Mesh const& m, Selector const& s) {
     for (int p = 0; p < static_cast<int>(used.size()); ++p)
       if (used[p] && in_group[p]) chosen.push_back(p);
   } else {
-    chosen = select_places(m, s, m.points.size(), [&](int p) { return used[p] != 0; }, [&](int p) { return m.points[p]; });
+    chosen = select_places(
+        m, s, m.points.size(), [&](int p) { return used[p] != 0; }, [&](int p) { return m.points[p]; });
   }
   return non_empty(std::move(chosen), m, s, "point of a tet");
 }
 
-std::vector<TetFace> select_boundary_faces(Mesh const& m, mesh::Adjacency const& adjacency, Selector const& s) {
+std::vector<TetFace> select_boundary_faces(Mesh const& m, mesh::Adjacency const& adjacency,
+                                           Selector const& s) {
   std::vector<TetFace> faces;
   if (s.kind == Kind::group) {
     faces = faces_of_group(m, adjacency, s);
@@ -243,7 +273,8 @@ std::vector<TetFace> select_boundary_faces(Mesh const& m, mesh::Adjacency const&
     double const tolerance = default_tolerance(m);
     for (TetFace const f : adjacency.boundary) {
       auto const x = mesh::face_triangle(m, f);
-      if (std::all_of(x.begin(), x.end(), [&](Vec3 p) { return inside(s, p, tolerance); })) faces.push_back(f);
+      if (std::all_of(x.begin(), x.end(), [&](Vec3 p) { return inside(s, p, tolerance); }))
+        faces.push_back(f);
     }
   }
   if (faces.empty()) refuse_empty(m, s, "boundary face");
@@ -266,7 +297,9 @@ std::vector<int> select_tets(Mesh const& m, Selector const& s) {
 
 std::vector<int> select_shared_faces(Mesh const& m, mesh::Adjacency const& adjacency, Selector const& s) {
   if (s.kind == Kind::group) return non_empty(shared_of_group(m, adjacency, s), m, s, "joint");
-  auto const centroid = [&](int i) { return geometry::centroid(mesh::face_triangle(m, adjacency.shared[i].a)); };
+  auto const centroid = [&](int i) {
+    return geometry::centroid(mesh::face_triangle(m, adjacency.shared[i].a));
+  };
   return non_empty(select_places(m, s, adjacency.shared.size(), always, centroid), m, s, "joint");
 }
 

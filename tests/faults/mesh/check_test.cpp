@@ -48,7 +48,8 @@ std::string refusal(Mesh const& m) {
 
 void expect_refusal(Mesh const& m, std::vector<std::string> const& parts) {
   std::string const message = refusal(m);
-  for (auto const& part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
+  for (auto const& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
 }
 
 // Requirement: sound meshes pass, also with matching touching boxes and with points that nothing uses.
@@ -148,7 +149,8 @@ TEST(CheckMesh, node_on_an_edge) {
   m.tets = {{0, 5, 2, 3}, {5, 1, 2, 3}, {0, 2, 1, 4}};
   m.tet_group = {0, 0, 0};
   m.input_id = {11, 13, 12};
-  expect_refusal(m, {"pairs of boundary faces that overlap without matching", "): 2 (", "tets 11 and 12", "tets 13 and 12"});
+  expect_refusal(m, {"pairs of boundary faces that overlap without matching", "): 2 (", "tets 11 and 12",
+                     "tets 13 and 12"});
 }
 
 // Requirement: two squares that meet with crossed diagonals are refused although all their corners match.
@@ -169,8 +171,8 @@ TEST(CheckMesh, empty_groups) {
   m.face_groups.push_back({"grip", {}});
   m.line_groups.push_back({"bar", {}});
   m.point_groups.push_back({"tip", {}});
-  expect_refusal(m, {"volume group 'plate' is empty", "surface group 'grip' is empty", "curve group 'bar' is empty",
-                     "point group 'tip' is empty"});
+  expect_refusal(m, {"volume group 'plate' is empty", "surface group 'grip' is empty",
+                     "curve group 'bar' is empty", "point group 'tip' is empty"});
 }
 
 // Requirement: a surface group off the tets' faces is refused with its name and place.
@@ -178,7 +180,8 @@ TEST(CheckMesh, surface_group_off_the_tets) {
   Mesh m = two_tets();
   m.points.push_back({3, 0, 0});
   m.face_groups.push_back({"grip", {{0, 1, 3}, {0, 1, 5}}});
-  expect_refusal(m, {"triangles of surface group 'grip' that are no faces of tets: 1 (", "(1.33333, 0, 0) m"});
+  expect_refusal(m,
+                 {"triangles of surface group 'grip' that are no faces of tets: 1 (", "(1.33333, 0, 0) m"});
 }
 
 // Requirement: a tet without a volume group is refused.
@@ -212,7 +215,10 @@ TEST(MakeBoxes, impossible_boxes) {
   EXPECT_EQ(refused([](auto& b) { b[1].tets_per_cell = 5; }),
             "case.toml:7:1: box 'plate': 5 tets per cell: only 6 and 24 are known");
   EXPECT_NE(refused([](auto& b) { b[1].grading[0] = -1; }).find("grading -1 along x"), std::string::npos);
-  EXPECT_NE(refused([](auto& b) { b[1].cells = {100000, 100000, 100000}; }).find("6e+15 tets"), std::string::npos);
+  EXPECT_NE(refused([](auto& b) {
+              b[1].cells = {100000, 100000, 100000};
+            }).find("6e+15 tets"),
+            std::string::npos);
   std::vector<BoxCells> const none;
   EXPECT_THROW(make_boxes(none), core::InputError);
 }

@@ -27,7 +27,8 @@ TEST(Tet, measures_of_the_regular_tet) {
   EXPECT_NEAR(longest_edge(positive), edge, 1e-14);
 }
 
-// Requirement: dihedral angles are listed at edges 01, 02, 03, 12, 13, 23; in the corner of a cube the first three are right.
+// Requirement: dihedral angles are listed at edges 01, 02, 03, 12, 13, 23; in the corner of a cube the first
+// three are right.
 TEST(Tet, dihedral_angles_of_a_cube_corner) {
   auto const a = dihedral_angles(unit_corner);
   for (int e = 0; e < 3; ++e) EXPECT_NEAR(a[e], std::numbers::pi / 2, 1e-15);
@@ -35,7 +36,8 @@ TEST(Tet, dihedral_angles_of_a_cube_corner) {
   EXPECT_NEAR(smallest_dihedral_angle(unit_corner), std::acos(1 / std::sqrt(3.0)), 1e-15);
 }
 
-// Requirement: a flat tet has zero altitude, zero quality and a zero dihedral angle; an inverted one has negative volume.
+// Requirement: a flat tet has zero altitude, zero quality and a zero dihedral angle; an inverted one has
+// negative volume.
 TEST(Tet, flat_and_inverted) {
   Tet const flat{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}};
   EXPECT_EQ(volume(flat), 0);
@@ -63,7 +65,8 @@ TEST(Tet, barycentric_round_trip) {
   }
 }
 
-// Requirement: triangle area, normal, centroid and barycentric coordinates (of the projection) match a hand example.
+// Requirement: triangle area, normal, centroid and barycentric coordinates (of the projection) match a hand
+// example.
 TEST(Triangle, hand_example) {
   Triangle const t{Vec3{0, 0, 1}, Vec3{2, 0, 1}, Vec3{0, 3, 1}};
   EXPECT_NEAR(area(t), 3, 1e-15);
@@ -105,7 +108,8 @@ TEST(Clip, segment_in_tet) {
   EXPECT_FALSE(clip_to_tet(unit_corner, {0.5, 0.6, 0.6}, {1, 0.6, 0.6}));
 }
 
-// Requirement: a segment crosses a triangle at the right parameter and place, and not beyond its ends or edges.
+// Requirement: a segment crosses a triangle at the right parameter and place, and not beyond its ends or
+// edges.
 TEST(Clip, segment_through_triangle) {
   Triangle const t{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
   auto const hit = cross_triangle(t, {0.2, 0.3, 1}, {0.2, 0.3, -3});
@@ -118,7 +122,8 @@ TEST(Clip, segment_through_triangle) {
   EXPECT_FALSE(cross_triangle(t, {0, 0, 1}, {1, 0, 1}));
 }
 
-// Requirement: the distance to a segment is measured to its ends beyond them, and to the point where it has no length.
+// Requirement: the distance to a segment is measured to its ends beyond them, and to the point where it has
+// no length.
 TEST(Clip, distance_to_segment) {
   EXPECT_NEAR(distance_to_segment({0.5, 2, 0}, {0, 0, 0}, {1, 0, 0}), 2, 1e-15);
   EXPECT_NEAR(distance_to_segment({4, 4, 0}, {0, 0, 0}, {1, 0, 0}), 5, 1e-15);

@@ -10,7 +10,8 @@
 namespace fissura::mesh {
 namespace {
 
-BoxCells box(Vec3 from, Vec3 to, std::array<int, 3> cells, int tets_per_cell = 6, std::string name = "concrete") {
+BoxCells box(Vec3 from, Vec3 to, std::array<int, 3> cells, int tets_per_cell = 6,
+             std::string name = "concrete") {
   BoxCells b;
   b.name = std::move(name), b.from = from, b.to = to, b.cells = cells, b.tets_per_cell = tets_per_cell;
   return b;
@@ -42,7 +43,8 @@ double group_area(Mesh const& m, std::string const& name) {
   return -1;
 }
 
-// Requirement: both cell types fill the box with positive tets and conform, so only the box's own sides are boundary.
+// Requirement: both cell types fill the box with positive tets and conform, so only the box's own sides are
+// boundary.
 TEST(Box, fills_and_conforms) {
   for (int per_cell : {6, 24}) {
     BoxCells const b = box({1, -1, 0}, {3, 2, 0.5}, {3, 4, 2}, per_cell);
@@ -57,14 +59,16 @@ TEST(Box, fills_and_conforms) {
   }
 }
 
-// Requirement: a 10 x 2 x 2 and a 20 x 4 x 4 mesh of 6 tets per cell have the 240 and 1920 tets of the tension prism.
+// Requirement: a 10 x 2 x 2 and a 20 x 4 x 4 mesh of 6 tets per cell have the 240 and 1920 tets of the
+// tension prism.
 TEST(Box, tet_counts_of_the_tension_prism) {
   BoxCells const a = box({}, {1, .2, .2}, {10, 2, 2}), b = box({}, {1, .2, .2}, {20, 4, 4});
   EXPECT_EQ(make_boxes({&a, 1}).tets.size(), 240u);
   EXPECT_EQ(make_boxes({&b, 1}).tets.size(), 1920u);
 }
 
-// Requirement: grading g makes the last cell g times as long as the first, with a constant ratio between neighbours.
+// Requirement: grading g makes the last cell g times as long as the first, with a constant ratio between
+// neighbours.
 TEST(Box, grading_is_geometric) {
   BoxCells b = box({}, {1, 1, 1}, {4, 1, 1});
   b.grading = {8, 1, 1};
@@ -77,8 +81,8 @@ TEST(Box, grading_is_geometric) {
   EXPECT_EQ(x[4], 1.0);
 }
 
-// Requirement: boxes whose cells match on a common side are joined there through shared points, and share that side
-// as a face group of both names.
+// Requirement: boxes whose cells match on a common side are joined there through shared points, and share
+// that side as a face group of both names.
 TEST(Box, touching_boxes_are_joined) {
   std::vector<BoxCells> const b{box({0, 0, 0}, {0.3, 0.1, 0.1}, {3, 2, 2}, 6, "beam"),
                                 box({0.1, 0, 0.1}, {0.2, 0.1, 0.15}, {1, 2, 1}, 6, "plate")};

@@ -113,8 +113,8 @@ double volume_of_group(Mesh const& m, std::string const& name) {
   return sum;
 }
 
-// Requirement: a 2.2 file gives points in metres, positive tets, element numbers and groups of every dimension;
-// unnamed groups are called by number and tets without a group are in "default".
+// Requirement: a 2.2 file gives points in metres, positive tets, element numbers and groups of every
+// dimension; unnamed groups are called by number and tets without a group are in "default".
 TEST(ReadGmsh, format_2_2) {
   Written const file("two.msh", two_tets_2_2);
   Mesh const m = read_gmsh(file.path, 1e-3, 0);
@@ -147,7 +147,8 @@ TEST(ReadGmsh, format_4_1) {
   EXPECT_NEAR(volume_of_group(m, "default"), 1.0 / 6, 1e-15);
 }
 
-// Requirement: a .geo is meshed in 3-D with its groups, conforming between volumes, silently and alike every time.
+// Requirement: a .geo is meshed in 3-D with its groups, conforming between volumes, silently and alike every
+// time.
 TEST(ReadGmsh, geometry) {
   Written const file("block.geo", block_geo);
   testing::internal::CaptureStdout();
@@ -163,7 +164,8 @@ TEST(ReadGmsh, geometry) {
   EXPECT_EQ(m.face_groups[1].name, "70");
   for (auto const& g : m.face_groups) {
     double area = 0;
-    for (auto const& t : g.triangles) area += geometry::area({m.points[t[0]], m.points[t[1]], m.points[t[2]]});
+    for (auto const& t : g.triangles)
+      area += geometry::area({m.points[t[0]], m.points[t[1]], m.points[t[2]]});
     EXPECT_NEAR(area, 1, 1e-12) << g.name;
   }
   EXPECT_EQ(m.line_groups.at(0).name, "edge");
@@ -204,16 +206,18 @@ void expect_part(std::string const& message, std::string const& part) {
   EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
 }
 
-// Requirement: files that are missing, empty, of another kind or broken are refused at the file with the reason, and a
-// good file is still read afterwards.
+// Requirement: files that are missing, empty, of another kind or broken are refused at the file with the
+// reason, and a good file is still read afterwards.
 TEST(ReadGmsh, refuses_bad_files) {
   expect_part(refusal("/nowhere/beam.msh"), "no such mesh file");
   expect_part(refusal(std::filesystem::temp_directory_path()), "ends in .msh or .geo");
   expect_part(refusal_of("a.stl", "solid"), "ends in .msh or .geo");
   expect_part(refusal_of("a.msh", ""), "empty");
   expect_part(refusal_of("a.msh", "hello world\n"), "does not begin with $MeshFormat");
-  expect_part(refusal_of("a.msh", std::string("\x7f\x45\x4c\x46\x00\xff\x80;;", 9)), "does not begin with $MeshFormat");
-  expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "2.2 0 8", "3.0 0 8")), "only the formats 2.2 and 4.1");
+  expect_part(refusal_of("a.msh", std::string("\x7f\x45\x4c\x46\x00\xff\x80;;", 9)),
+              "does not begin with $MeshFormat");
+  expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "2.2 0 8", "3.0 0 8")),
+              "only the formats 2.2 and 4.1");
   expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "22 4 2 0 2 1 2 3 5", "22 4 2 0 2 1 2 3 88")), "88");
   expect_part(refusal_of("a.msh", two_tets_2_2.substr(0, 200)), "gmsh cannot make a mesh of this file");
   expect_part(refusal_of("a.msh", two_tets_4_1.substr(0, 260)), "gmsh cannot make a mesh of this file");
@@ -238,7 +242,8 @@ TEST(ReadGmsh, refuses_overlapping_volumes) {
 
 // Requirement: a physical name without elements is found as an empty group by the check.
 TEST(ReadGmsh, keeps_empty_names) {
-  Written const file("a.msh", replaced(two_tets_2_2, "$PhysicalNames\n4", "$PhysicalNames\n5\n2 12 \"empty face\""));
+  Written const file("a.msh",
+                     replaced(two_tets_2_2, "$PhysicalNames\n4", "$PhysicalNames\n5\n2 12 \"empty face\""));
   try {
     check_mesh(read_gmsh(file.path, 1, 0));
     FAIL();
@@ -253,7 +258,8 @@ TEST(ReadGmsh, refuses_bad_geometry) {
   expect_part(unknown, "2: ");
   expect_part(unknown, "Unknown variable 'abc'");
   expect_part(refusal_of("a.geo", "Point(1) = {0, 0, 0};\n"), "no volume");
-  expect_part(refusal_of("a.geo", "// Exit\nx = 1; /* Exit\n */ Exit;\n"), "3: statement 'Exit' is not allowed");
+  expect_part(refusal_of("a.geo", "// Exit\nx = 1; /* Exit\n */ Exit;\n"),
+              "3: statement 'Exit' is not allowed");
   expect_part(refusal_of("a.geo", "SystemCall \"ls\";\n"), "1: statement 'SystemCall' is not allowed");
   EXPECT_EQ(refusal_of("a.geo", "// SystemCall\nExitCode = 1;\nPrintf(\"Exit\");\n" + block_geo), "");
 }

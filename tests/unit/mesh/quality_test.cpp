@@ -12,7 +12,9 @@
 namespace fissura::mesh {
 namespace {
 
-Quality quality_of(Mesh const& m) { return measure_quality(m, make_adjacency(m)); }
+Quality quality_of(Mesh const& m) {
+  return measure_quality(m, make_adjacency(m));
+}
 
 // Requirement: the report of a regular box mesh agrees with hand values, and a good mesh gives no warning.
 TEST(Quality, regular_box) {
@@ -57,7 +59,8 @@ TEST(Quality, warns_of_few_elements) {
   b.to = {1, 0.2, 1}, b.cells = {5, 1, 5};
   auto const warnings = quality_warnings(quality_of(make_boxes({&b, 1})));
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("about 1.0 elements over the extent along y (0.2 m)"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("about 1.0 elements over the extent along y (0.2 m)"), std::string::npos)
+      << warnings[0];
 }
 
 // Requirement: faces that coincide without shared points are allowed but reported, for they carry no tension.

@@ -26,7 +26,8 @@ TEST(Hilbert, visits_every_cell_through_neighbours) {
   }
 }
 
-// Requirement: renumbering keeps every tet (by its input number) where it was, with its group, and the groups' areas.
+// Requirement: renumbering keeps every tet (by its input number) where it was, with its group, and the
+// groups' areas.
 TEST(Renumber, keeps_the_geometry) {
   Mesh const before = support::random_box_mesh(5, {4, 3, 2}, {4, 3, 2});
   Mesh after = before;
@@ -59,7 +60,8 @@ TEST(Renumber, points_by_first_use) {
     }
 }
 
-// Requirement: in the new order consecutive tets are near each other, and a second renumbering changes nothing.
+// Requirement: in the new order consecutive tets are near each other, and a second renumbering changes
+// nothing.
 TEST(Renumber, is_local_and_stable) {
   BoxCells b;
   b.to = {1, 1, 1}, b.cells = {16, 16, 16};
@@ -67,7 +69,8 @@ TEST(Renumber, is_local_and_stable) {
   renumber(m);
   double farthest = 0;
   for (int t = 1; t < static_cast<int>(m.tets.size()); ++t)
-    farthest = std::max(farthest, core::norm(geometry::centroid(corners(m, t)) - geometry::centroid(corners(m, t - 1))));
+    farthest = std::max(
+        farthest, core::norm(geometry::centroid(corners(m, t)) - geometry::centroid(corners(m, t - 1))));
   EXPECT_LT(farthest, 2.0 / 16);
   Mesh again = m;
   renumber(again);
@@ -91,7 +94,12 @@ TEST(Renumber, drops_unused_points_only) {
   ASSERT_EQ(static_cast<int>(m.points.size()), n + 2);
   EXPECT_EQ(m.points[m.line_groups[0].segments[0][0]], (Vec3{5, 0, 0}));
   EXPECT_EQ(m.points[m.line_groups[0].segments[0][1]], (Vec3{6, 0, 0}));
-  EXPECT_EQ(m.points, [&] { Mesh r = support::random_box_mesh(2); r.points.push_back({5, 0, 0}); r.points.push_back({6, 0, 0}); return r.points; }());
+  EXPECT_EQ(m.points, [&] {
+    Mesh r = support::random_box_mesh(2);
+    r.points.push_back({5, 0, 0});
+    r.points.push_back({6, 0, 0});
+    return r.points;
+  }());
 }
 
 } // namespace

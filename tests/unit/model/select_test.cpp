@@ -90,17 +90,21 @@ TEST(SelectPoints, by_group) {
   EXPECT_EQ(select_points(m, group("tip")), std::vector<int>{0});
 }
 
-// Requirement: an unknown group is refused with the nearest name and the list; an empty selection with the extent.
+// Requirement: an unknown group is refused with the nearest name and the list; an empty selection with the
+// extent.
 TEST(SelectPoints, refusals_help) {
   mesh::Mesh const m = beam_with_plate();
   std::string const unknown = refusal([&] { select_points(m, group("beam.x_")); });
   EXPECT_NE(unknown.find("no group 'beam.x_' (did you mean 'beam.x-'?); its groups: beam, plate, beam.x-"),
             std::string::npos)
       << unknown;
-  EXPECT_EQ(refusal([&] { select_points(m, plane(2, 7)); }),
-            "plane z = 7 m selects no point of a tet; the model reaches from (0, 0, 0) to (0.4, 0.2, 0.25) m");
-  EXPECT_NE(refusal([&] { select_points(m, group("bar")); }).find("selects no point of a tet"), std::string::npos);
-  EXPECT_EQ(refusal([&] { select_points(m, group("zzzzzzzzzzzz")); }).find("did you mean"), std::string::npos);
+  EXPECT_EQ(
+      refusal([&] { select_points(m, plane(2, 7)); }),
+      "plane z = 7 m selects no point of a tet; the model reaches from (0, 0, 0) to (0.4, 0.2, 0.25) m");
+  EXPECT_NE(refusal([&] { select_points(m, group("bar")); }).find("selects no point of a tet"),
+            std::string::npos);
+  EXPECT_EQ(refusal([&] { select_points(m, group("zzzzzzzzzzzz")); }).find("did you mean"),
+            std::string::npos);
 }
 
 double area_of(mesh::Mesh const& m, std::vector<mesh::TetFace> const& faces) {
@@ -109,23 +113,27 @@ double area_of(mesh::Mesh const& m, std::vector<mesh::TetFace> const& faces) {
   return sum;
 }
 
-// Requirement: faces are selected by their three points, by surface group exactly, by volume group its outer faces.
+// Requirement: faces are selected by their three points, by surface group exactly, by volume group its outer
+// faces.
 TEST(SelectFaces, by_geometry_and_group) {
   mesh::Mesh const m = beam_with_plate();
   auto const adjacency = mesh::make_adjacency(m);
   EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, plane(2, 0))), 0.08, 1e-14);
-  EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, plane(2, 0.2))), 0.06, 1e-14); // not below the plate
+  EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, plane(2, 0.2))), 0.06,
+              1e-14); // not below the plate
   EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, group("beam.x+"))), 0.04, 1e-14);
   EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, group("plate"))), 0.02 + 2 * 0.05 * 0.3, 1e-14);
-  EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, select(Kind::all))), 0.4 + 2 * 0.05 * 0.3, 1e-13);
+  EXPECT_NEAR(area_of(m, select_boundary_faces(m, adjacency, select(Kind::all))), 0.4 + 2 * 0.05 * 0.3,
+              1e-13);
 }
 
 // Requirement: faces inside the body, curves and empty results are refused for loads on faces.
 TEST(SelectFaces, refusals) {
   mesh::Mesh const m = beam_with_plate();
   auto const adjacency = mesh::make_adjacency(m);
-  EXPECT_NE(refusal([&] { select_boundary_faces(m, adjacency, group("beam.z+")); })
-                .find("4 of the 16 triangles of group 'beam.z+' are not on the boundary"),
+  EXPECT_NE(refusal([&] {
+              select_boundary_faces(m, adjacency, group("beam.z+"));
+            }).find("4 of the 16 triangles of group 'beam.z+' are not on the boundary"),
             std::string::npos);
   EXPECT_NE(refusal([&] { select_boundary_faces(m, adjacency, group("bar")); }).find("'bar' has no faces"),
             std::string::npos);
@@ -140,10 +148,12 @@ TEST(SelectTets, by_centroid_and_group) {
   EXPECT_EQ(select_tets(m, group("plate")).size(), 2u * 6);
   EXPECT_EQ(select_tets(m, select(Kind::all)).size(), 18u * 6);
   EXPECT_EQ(select_tets(m, between(Kind::point, {0.01, 0.15, 0.22}, {})).size(), 1u);
-  EXPECT_NE(refusal([&] { select_tets(m, group("beam.x-")); }).find("name a volume group"), std::string::npos);
+  EXPECT_NE(refusal([&] { select_tets(m, group("beam.x-")); }).find("name a volume group"),
+            std::string::npos);
 }
 
-// Requirement: joints are selected by centroid, by volume group (either tet) and by a surface group inside the body.
+// Requirement: joints are selected by centroid, by volume group (either tet) and by a surface group inside
+// the body.
 TEST(SelectJoints, by_centroid_and_group) {
   mesh::Mesh const m = beam_with_plate();
   auto const adjacency = mesh::make_adjacency(m);
