@@ -28,8 +28,7 @@ enum ElementType { line_2 = 1, triangle_3 = 2, tet_4 = 4, point_1 = 15 };
   throw core::InputError({path.string(), line, 0}, std::move(message));
 }
 
-// ---- before gmsh sees the file
-// -------------------------------------------------------------------------------
+// ---- before gmsh sees the file ------------------------------------------------------------------
 
 std::string read_text(fs::path const& path) {
   std::error_code error;
@@ -92,8 +91,7 @@ void check_statements(fs::path const& path, std::string const& geo) {
     }
 }
 
-// ---- out of gmsh
-// ---------------------------------------------------------------------------------------------
+// ---- out of gmsh --------------------------------------------------------------------------------
 
 /// What gmsh holds, on its way into a Mesh.
 struct Import {

@@ -20,8 +20,7 @@ using mesh::TetFace;
 
 namespace {
 
-// ---- errors
-// --------------------------------------------------------------------------------------------------
+// ---- errors -------------------------------------------------------------------------------------
 
 std::string text(Vec3 p) {
   return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z);
@@ -69,8 +68,7 @@ std::size_t edit_distance(std::string const& a, std::string const& b) {
   return row[b.size()];
 }
 
-// ---- groups
-// --------------------------------------------------------------------------------------------------
+// ---- groups -------------------------------------------------------------------------------------
 
 /// Indices of the groups a name stands for, by kind; -1 where there is none.
 struct Found {
@@ -134,8 +132,7 @@ std::vector<char> points_of_group(Mesh const& m, Selector const& s) {
   return chosen;
 }
 
-// ---- places
-// --------------------------------------------------------------------------------------------------
+// ---- places -------------------------------------------------------------------------------------
 
 /// Indices i < count for which candidate(i) holds and the place at(i) is selected (by geometry).
 template <class Candidate, class At>
