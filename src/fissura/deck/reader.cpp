@@ -36,7 +36,7 @@ void Reader::throw_findings() const {
   if (sorted.size() > most_findings) {
     std::size_t const more = sorted.size() - most_findings;
     sorted.resize(most_findings);
-    sorted.push_back({{sorted.front().place.file}, fmt::format("and {} more errors", more)});
+    sorted.push_back({core::Place{sorted.front().place.file, 0, 0}, fmt::format("and {} more errors", more)});
   }
   throw core::InputError(std::move(sorted));
 }

@@ -23,7 +23,7 @@ Section top_section() {
 } // namespace
 
 std::string to_string(Range const& range, units::Dimension dimension) {
-  auto const text = [&](double x) { return units::from_si(x, dimension); };
+  auto const text = [&](double x) { return x == 0 ? "0" : units::from_si(x, dimension); };
   bool const below = std::isfinite(range.max), above = std::isfinite(range.min);
   if (above && below)
     return fmt::format("{} {} x {} {}", text(range.min),

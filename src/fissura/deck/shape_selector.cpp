@@ -96,9 +96,9 @@ Shape make_shape() {
            write_two_points<Kind::line>)
       .of(Dimension::length)
       .echoed_if(of(Kind::line));
-  f.quantity("tolerance", &Selector::tolerance, Dimension::length, "Distance that still counts.")
+  f.quantity("tolerance", &Selector::tolerance, Dimension::length,
+             "Distance that still counts; 1e-6 of the largest extent of the mesh unless said.")
       .not_negative()
-      .default_is("1e-6 of the largest extent of the mesh")
       .echoed_if([](Selector const& s) { return s.tolerance > 0; });
   return shape;
 }
@@ -124,7 +124,7 @@ std::string write_shape(Shape const& shape, void const* record) {
   std::vector<std::string> items;
   for (auto const& key : shape.keys)
     if (auto const value = key.write(record)) items.push_back(fmt::format("{} = {}", key.name, *value));
-  return fmt::format("{{{}}}", fmt::join(items, ", "));
+  return "{" + joined(items) + "}";
 }
 
 } // namespace

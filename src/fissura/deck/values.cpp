@@ -206,8 +206,14 @@ std::string write_axis(int axis) {
   return write_text(std::string(1, static_cast<char>('x' + axis)));
 }
 
+std::string joined(std::vector<std::string> const& items) {
+  std::string text;
+  for (auto const& item : items) text.append(text.empty() ? "" : ", ").append(item);
+  return text;
+}
+
 std::string write_array(std::vector<std::string> const& items) {
-  return fmt::format("[{}]", fmt::join(items, ", "));
+  return "[" + joined(items) + "]";
 }
 
 std::string write_quantities(Vec3 v, Dimension d) {

@@ -54,6 +54,8 @@ std::string write_quantities(Vec3 value, units::Dimension dimension);
 std::string write_direction(Vec3 value);
 std::string write_points(std::vector<Vec3> const& points);
 std::string write_texts(std::vector<std::string> const& texts);
+/// "a, b, c"
+std::string joined(std::vector<std::string> const& items);
 /// "[a, b, c]"
 std::string write_array(std::vector<std::string> const& items);
 

@@ -173,7 +173,7 @@ axis = "z"
 factor = -1
 zero_at = "load"
 [[gauge]]
-name = "load [N]x"
+name = "load in all"
 kind = "reaction"
 of = ["left", "press", "motion_2"]
 axis = "z"

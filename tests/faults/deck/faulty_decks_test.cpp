@@ -1,0 +1,359 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fissura/core/error.hpp"
+#include "fissura/deck/deck.hpp"
+
+namespace {
+using namespace fissura;
+
+// A sound deck; each fault replaces one piece of it. The lines are numbered from 1.
+std::string const sound = R"(title = "faults"
+[[mesh.box]]
+from = ["0 m", "0 m", "0 m"]
+to = ["1 m", "0.2 m", "0.2 m"]
+cells = [10, 2, 2]
+[[concrete]]
+name = "C30"
+E = "30 GPa"
+f_t = "3 MPa"
+f_c = "30 MPa"
+[[steel]]
+name = "S500"
+f_y = "500 MPa"
+f_u = "550 MPa"
+[[bar]]
+name = "tie"
+steel = "S500"
+diameter = "12 mm"
+points = [["0 m", "0.1 m", "0.1 m"], ["1 m", "0.1 m", "0.1 m"]]
+[[stage]]
+name = "pull"
+duration = "1 s"
+[[support]]
+name = "left"
+where = {plane = "x", at = "0 m"}
+fix = ["x", "y", "z"]
+[[motion]]
+name = "right"
+stage = "pull"
+where = {plane = "x", at = "1 m"}
+axis = "x"
+displacement = {value = "1 mm", over = "0.5 s"}
+[[force]]
+name = "push"
+where = {point = ["1 m", "0 m", "0 m"]}
+direction = [0, 0, -1]
+force = "1 kN"
+[[gauge]]
+name = "load"
+kind = "reaction"
+of = ["left"]
+axis = "x"
+[[gauge]]
+name = "stress"
+kind = "bar"
+bar = "tie"
+at = ["0.5 m", "0.1 m", "0.1 m"]
+[[stop]]
+gauge = "load"
+falls_to = 0.5
+after = "1 kN"
+)";
+
+struct Fault {
+  std::string what;     // requirement in words
+  std::string old_text; // unique in the sound deck
+  std::string new_text;
+  std::string expected; // "line:column: error: start of the message"
+};
+
+std::vector<Fault> const faults{
+    // Spelling.
+    {"unknown key with its nearest", "diameter = \"12 mm\"", "diamter = \"12 mm\"\narea = \"1 cm2\"",
+     "18:1: error: unknown key `diamter` in [[bar]]; did you mean `diameter`?"},
+    {"unknown section with its nearest", "[[stop]]", "[[stpo]]",
+     "48:3: error: unknown key `stpo` in the top of the deck; did you mean `stop`?"},
+    {"key of another section", "fix = [\"x\", \"y\", \"z\"]", "fix = [\"x\"]\nend_time = \"1 s\"",
+     "27:1: error: unknown key `end_time` in [[support]]; it belongs to [run]"},
+    {"unknown word with its nearest", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\njoint_law = \"papper\"",
+     "10:13: error: `joint_law` must be `energy_consistent` or `paper`, not \"papper\"; did you mean "
+     "`paper`?"},
+    {"unknown axis", "axis = \"x\"\ndisplacement", "axis = \"w\"\ndisplacement",
+     "31:8: error: `axis` must be `x`, `y` or `z`, not \"w\""},
+    {"misspelt bar quantity", "bar = \"tie\"", "bar = \"tie\"\nquantity = \"joint_stres\"",
+     "47:12: error: `quantity` must be"},
+    {"single for double brackets", "[[steel]]", "[steel]",
+     "11:1: error: a deck may have several `steel`: write [[steel]] with double brackets"},
+    {"double for single brackets", "[[stop]]", "[[run]]\nend_time = \"1 s\"\n[[stop]]",
+     "48:1: error: `run` stands once: write [run] with single brackets"},
+    // Units.
+    {"number without unit", "E = \"30 GPa\"", "E = 30e9",
+     "8:5: error: `E` needs a unit: a pressure as text, e.g. \"30 GPa\" (30000000000 in SI units is \"30 "
+     "GPa\")"},
+    {"text without unit", "E = \"30 GPa\"", "E = \"30e9\"",
+     "8:5: error: `E` = \"30e9\": `30e9` has no unit; a pressure is expected"},
+    {"wrong dimension", "E = \"30 GPa\"", "E = \"30 N\"",
+     "8:5: error: `E` = \"30 N\": N is not a pressure; expected e.g. \"30 GPa\""},
+    {"slip of the shift key", "f_t = \"3 MPa\"", "f_t = \"3 Mpa\"",
+     "9:7: error: `f_t` = \"3 Mpa\": unknown unit `Mpa`; did you mean `MPa`?"},
+    {"fracture energy in J", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nG_f = \"100 J\"",
+     "10:7: error: `G_f` = \"100 J\": J is not an energy per area"},
+    {"unit inside a point", "[\"1 m\", \"0.1 m\", \"0.1 m\"]]", "[\"1 m\", 0.1, \"0.1 m\"]]",
+     "19:46: error: `points` needs a unit: a length as text"},
+    {"threshold of the wrong dimension", "after = \"1 kN\"", "after = \"1 mm\"",
+     "51:9: error: `after` = \"1 mm\": mm is not a force; expected e.g. \"64 kN\""},
+    {"curve of the wrong dimension", "value = \"1 mm\"", "value = \"1 kN\"",
+     "32:25: error: `value` = \"1 kN\": kN is not a length"},
+    {"temperature", "duration = \"1 s\"", "duration = \"20 degC\"",
+     "22:12: error: `duration` = \"20 degC\": degC is not a time"},
+    // Types and ranges.
+    {"text for a number", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nnu = \"0.2\"",
+     "10:6: error: `nu` must be a plain number (without unit and quotes), not \"0.2\""},
+    {"number for a text", "name = \"C30\"", "name = 30",
+     "7:8: error: `name` must be a text in quotes, not 30"},
+    {"text for a flag", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\njoints = \"yes\"",
+     "10:10: error: `joints` must be true or false (without quotes), not \"yes\""},
+    {"fraction for a whole number", "cells = [10, 2, 2]", "cells = [10, 2.5, 2]",
+     "5:14: error: `cells` must be a whole number, not 2.5"},
+    {"array of the wrong length", "cells = [10, 2, 2]", "cells = [10, 2]",
+     "5:9: error: `cells` must be an array of 3 values, not one of 2"},
+    {"no cells", "cells = [10, 2, 2]", "cells = [10, 0, 2]",
+     "5:14: error: `cells` must be 1 <= x <= 1000000, not 0"},
+    {"too many cells", "cells = [10, 2, 2]", "cells = [1000, 1000, 1000]",
+     "5:9: error: `cells` make 1e+09 cells; at most 5e+07 are allowed"},
+    {"division of cells", "cells = [10, 2, 2]", "cells = [10, 2, 2]\ntets_per_cell = 5",
+     "6:17: error: `tets_per_cell` must be 6 or 24, not 5"},
+    {"incompressible", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nnu = 0.5",
+     "10:6: error: `nu` must be -1 < x < 0.5, not 0.5"},
+    {"negative stiffness", "E = \"30 GPa\"", "E = \"-30 GPa\"",
+     "8:5: error: `E` must be > 0, not \"-30 GPa\""},
+    {"not a number", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nnu = nan",
+     "10:6: error: `nu` must be a plain number"},
+    {"flat box", "to = [\"1 m\", \"0.2 m\", \"0.2 m\"]", "to = [\"1 m\", \"0 m\", \"0.2 m\"]",
+     "2:1: error: the box has no volume"},
+    {"zero direction", "direction = [0, 0, -1]", "direction = [0, 0, 0]",
+     "36:13: error: `direction` must be three numbers that are not all zero"},
+    {"date", "name = \"C30\"", "name = 1979-05-27",
+     "7:8: error: `name` must be a text in quotes, not a date or time of day"},
+    // What a record needs.
+    {"missing key", "E = \"30 GPa\"\n", "", "6:1: error: [[concrete]] needs `E`: a pressure"},
+    {"no tensile strength", "f_t = \"3 MPa\"\n", "", "6:1: error: joints that may crack need `f_t`"},
+    {"constant shear without f_s", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nshear = \"constant\"",
+     "6:1: error: shear = \"constant\" needs `f_s`"},
+    {"f_s without constant shear", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nf_s = \"6 MPa\"",
+     "10:7: error: `f_s` is used by shear = \"constant\" only"},
+    {"f_u below f_y", "f_u = \"550 MPa\"", "f_u = \"450 MPa\"",
+     "14:7: error: `f_u` = 450 MPa must not be less than `f_y` = 500 MPa"},
+    {"misordered strains", "f_u = \"550 MPa\"", "f_u = \"550 MPa\"\neps_br = 0.019",
+     "15:10: error: `eps_br` = 0.019 must be larger than `eps_u` = 0.1"},
+    {"hardening before yield", "f_u = \"550 MPa\"", "f_u = \"550 MPa\"\neps_sh = 0.001",
+     "15:10: error: `eps_sh` = 0.001 lies before yielding at f_y/E_s = 0.0025"},
+    {"bar without section", "diameter = \"12 mm\"\n", "", "15:1: error: [[bar]] needs `diameter` or `area`"},
+    {"bar of one point", ", [\"1 m\", \"0.1 m\", \"0.1 m\"]]", "]",
+     "19:10: error: `points` needs at least 2 points"},
+    {"copies without spacing", "diameter = \"12 mm\"", "diameter = \"12 mm\"\ncount = 3",
+     "19:9: error: 3 bars need `spacing`"},
+    {"two kinds of selector", "where = {plane = \"x\", at = \"0 m\"}",
+     "where = {plane = \"x\", at = \"0 m\", group = \"a\"}", "25:9: error: a selector has only one of"},
+    {"plane without place", "where = {plane = \"x\", at = \"0 m\"}", "where = {plane = \"x\"}",
+     "25:9: error: `plane` needs `at`"},
+    {"text for a selector", "where = {plane = \"x\", at = \"0 m\"}", "where = \"left\"",
+     "25:9: error: `where` must be a selector, e.g. {group = \"left\"}, not \"left\""},
+    {"ramp and table", "over = \"0.5 s\"}", "over = \"0.5 s\", table = [[\"0 s\", \"0 m\"]]}",
+     "32:16: error: a curve has exactly one of `value`, `table` or `cycles`"},
+    {"time runs backwards", "{value = \"1 mm\", over = \"0.5 s\"}",
+     "{table = [[\"1 s\", \"0 m\"], [\"1 s\", \"1 m\"]]}",
+     "32:43: error: the times of `table` must increase"},
+    {"cycles without period", "{value = \"1 mm\", over = \"0.5 s\"}", "{cycles = [\"1 mm\"]}",
+     "32:16: error: `cycles` needs `period`"},
+    {"neither displacement nor velocity", "displacement = {value = \"1 mm\", over = \"0.5 s\"}\n", "",
+     "27:1: error: [[motion]] needs either `displacement` or `velocity`"},
+    {"gauge without its keys", "at = [\"0.5 m\", \"0.1 m\", \"0.1 m\"]\n", "",
+     "43:1: error: a gauge of kind \"bar\" needs `at`"},
+    {"gauge with a foreign key", "of = [\"left\"]",
+     "of = [\"left\"]\nline = [[\"0 m\", \"0 m\", \"0 m\"], [\"1 m\", \"0 m\", \"0 m\"]]",
+     "42:8: error: `line` has no meaning for a gauge of kind \"reaction\""},
+    {"stop without condition", "falls_to = 0.5\nafter = \"1 kN\"\n", "",
+     "48:1: error: [[stop]] needs `above`, `below` or `falls_to`"},
+    // Names.
+    {"unknown steel", "steel = \"S500\"", "steel = \"S50\"",
+     "17:9: error: `steel`: no [[steel]] is named \"S50\"; did you mean `S500`?"},
+    {"unknown stage", "stage = \"pull\"", "stage = \"dead\"",
+     "29:9: error: `stage`: no [[stage]] is named \"dead\"; there are `pull`"},
+    {"unknown gauge", "gauge = \"load\"", "gauge = \"laod\"",
+     "49:9: error: `gauge`: no [[gauge]] is named \"laod\"; did you mean `load`?"},
+    {"unknown support", "of = [\"left\"]", "of = [\"lefft\"]",
+     "41:6: error: `of`: no [[support]] or [[motion]] is named \"lefft\"; did you mean `left`?"},
+    {"unknown bar", "bar = \"tie\"", "bar = \"tie\"\ncopy = 1",
+     "47:8: error: `copy` = 1: the bar \"tie\" has 1 copies, numbered from 0"},
+    {"name taken", "name = \"right\"", "name = \"left\"",
+     "28:8: error: the name \"left\" is taken: it stands already at deck.toml:23:1"},
+    {"two materials for the rest", "[[steel]]", "[[concrete]]\nE = \"200 GPa\"\njoints = false\n[[steel]]",
+     "11:1: error: the materials \"C30\" and \"concrete_2\" have no `groups`"},
+    {"no end", "[[stage]]\nname = \"pull\"\nduration = \"1 s\"\n", "[run]\n",
+     "20:1: error: the run needs an end"},
+    {"box and file", "[[mesh.box]]", "[mesh]\nfile = \"a.msh\"\nlength_unit = \"m\"\n[[mesh.box]]",
+     "error: a mesh is either a `file` or [[mesh.box]] tables, not both"},
+    // Text that is no TOML.
+    {"open quote", "name = \"C30\"", "name = \"C30", "7:12: error: not valid TOML"},
+    {"key twice", "E = \"30 GPa\"", "E = \"30 GPa\"\nE = \"31 GPa\"", "9:5: error: not valid TOML"},
+    {"control character", "name = \"C30\"", "name = \"C30\x01\"", "7:12: error: control character 0x01"},
+    {"bracket and control character", "E = \"30 GPa\"", "E = [\x02", "8:6: error: control character 0x02"},
+    {"bad UTF-8", "name = \"C30\"", "name = \"C\xff\"", "7:10: error: byte 0xFF is not valid UTF-8"},
+    {"escaped control character", "name = \"C30\"", "name = \"C\\u0007\"",
+     "7:8: error: this text holds a control character"},
+};
+
+std::string with(Fault const& fault) {
+  auto const at = sound.find(fault.old_text);
+  EXPECT_NE(at, std::string::npos) << fault.what;
+  std::string text = sound;
+  return text.replace(at, fault.old_text.size(), fault.new_text);
+}
+
+std::vector<core::Diagnostic> findings(std::string const& text) {
+  try {
+    deck::read_case_text(text, "deck.toml");
+  } catch (core::InputError const& e) {
+    EXPECT_EQ(e.failure, core::Failure::input);
+    return e.diagnostics;
+  }
+  return {};
+}
+
+std::string shown(core::Diagnostic const& d) {
+  return core::to_string(d.place) + ": error: " + d.message;
+}
+
+// The deck that all faults start from is sound.
+TEST(FaultyDecks, TheSoundDeckIsRead) {
+  EXPECT_NO_THROW(deck::read_case_text(sound, "deck.toml"));
+}
+
+// Each fault is reported at its own place, in words that say what was expected.
+TEST(FaultyDecks, EachFaultNamesItsPlace) {
+  for (auto const& fault : faults) {
+    SCOPED_TRACE(fault.what);
+    auto const found = findings(with(fault));
+    if (found.empty()) ADD_FAILURE() << "accepted";
+    std::string all;
+    bool seen = false;
+    for (auto const& d : found) {
+      all += shown(d) + "\n";
+      seen = seen || shown(d).find(fault.expected) != std::string::npos;
+    }
+    EXPECT_TRUE(seen) << "expected " << fault.expected << "\nfound\n" << all;
+    EXPECT_EQ(found.empty() ? "deck.toml" : found.front().place.file, "deck.toml");
+  }
+}
+
+// A fault that stands alone is reported once: no error follows from another one.
+TEST(FaultyDecks, NoErrorFollowsFromAnother) {
+  int alone = 0;
+  for (auto const& fault : faults) alone += findings(with(fault)).size() == 1 ? 1 : 0;
+  EXPECT_GE(alone, static_cast<int>(faults.size()) - 5);
+}
+
+// All faults of a deck come in one pass, in the order of its lines.
+TEST(FaultyDecks, SeveralErrorsInOnePass) {
+  std::string text = sound;
+  auto const replace = [&](std::string const& a, std::string const& b) {
+    text.replace(text.find(a), a.size(), b);
+  };
+  replace("E = \"30 GPa\"", "E = \"30 N\"");
+  replace("f_u = \"550 MPa\"", "f_u = \"450 MPa\"");
+  replace("diameter = \"12 mm\"", "diamter = \"12 mm\"");
+  replace("stage = \"pull\"", "stage = \"pul\"");
+  replace("of = [\"left\"]", "of = \"left\"");
+  auto const found = findings(text);
+  ASSERT_EQ(found.size(), 6U);
+  std::vector<int> lines;
+  for (auto const& d : found) lines.push_back(d.place.line);
+  EXPECT_EQ(lines, (std::vector<int>{8, 14, 15, 18, 29, 41}));
+}
+
+// A deck with thousands of errors is answered with a bounded list.
+TEST(FaultyDecks, ManyErrorsAreCut) {
+  std::string text = sound + "[run]\n";
+  for (int i = 0; i < 3000; ++i) text += "nonsense" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(findings(text).size(), 101U);
+}
+
+// Very deep nesting, very long keys and very large texts are refused instead of exhausting the stack.
+TEST(FaultyDecks, DeepNestingIsRefused) {
+  std::string const n(200000, '[');
+  EXPECT_FALSE(findings("a = " + n).empty());
+  std::string tables = "a = ", dotted = "a", header = "[a", quoted = "\"a\"";
+  for (int i = 0; i < 100000; ++i) {
+    tables += "{a=";
+    dotted += ".a";
+    header += ".a";
+    quoted += ".\",\"";
+  }
+  EXPECT_FALSE(findings(tables).empty());
+  EXPECT_FALSE(findings(dotted + " = 1").empty());
+  EXPECT_FALSE(findings(header + "]").empty());
+  EXPECT_FALSE(findings(quoted + " = 1").empty());
+  EXPECT_FALSE(findings(std::string(17U << 20U, ' ')).empty());
+}
+
+std::string mutated(std::string text, std::mt19937& random) {
+  std::string const bytes = "[]{}=.,\"'#\n\t\\0-e \x01\x80\xff_";
+  for (unsigned n = 1 + random() % 6; n > 0; --n) {
+    auto const at = random() % text.size();
+    switch (random() % 4) {
+    case 0:
+      text[at] = static_cast<char>(random());
+      break;
+    case 1:
+      text.insert(at, 1, bytes[random() % bytes.size()]);
+      break;
+    case 2:
+      text.erase(at, 1 + random() % 8);
+      break;
+    default:
+      text.insert(at, text.substr(random() % text.size(), random() % 40));
+    }
+    if (text.empty()) text = "a";
+  }
+  return text;
+}
+
+// Damaged decks are read or refused, never crash, and whatever is read survives its own echo.
+TEST(FaultyDecks, DamagedDecksAreSafe) {
+  std::mt19937 random(11);
+  int read = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string const text = mutated(sound, random);
+    try {
+      auto const c = deck::read_case_text(text, "deck.toml");
+      std::string const echoed = deck::echo(c);
+      ASSERT_EQ(deck::echo(deck::read_case_text(echoed, "echo.toml")), echoed) << text;
+      ++read;
+    } catch (core::Error const& e) {
+      ASSERT_EQ(e.failure, core::Failure::input) << e.what();
+    }
+  }
+  EXPECT_GT(read, 0);
+}
+
+// Bytes without any structure are refused without a crash.
+TEST(FaultyDecks, RandomBytesAreSafe) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 3000; ++i) {
+    std::string text;
+    for (unsigned n = random() % 60; n > 0; --n) text += static_cast<char>(random() % (i % 2 ? 256 : 128));
+    try {
+      deck::read_case_text(text, "deck.toml");
+    } catch (core::Error const& e) {
+      ASSERT_EQ(e.failure, core::Failure::input) << e.what();
+    }
+  }
+}
+
+} // namespace
