@@ -17,6 +17,8 @@ PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtbb-dev libtomlplusplus-
 TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev
 DOCS_PACKAGES    := mkdocs
 FORMAT_PACKAGES  := clang-format
+FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
+FUZZ_SECONDS     ?= 60
 
 # $(call install_packages,LIST): asks apt only if something is missing.
 define install_packages
@@ -26,8 +28,8 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
   $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 endef
 
-.PHONY: help setup setup-program setup-tests setup-docs setup-format build build-all demo test verify validate \
-  figures pictures bench docs format install clean
+.PHONY: help setup setup-program setup-tests setup-docs setup-format setup-fuzz build build-all demo test verify validate \
+  figures pictures bench docs fuzz format install clean
 
 help:
 	@echo "make demo      install what is missing, build, run a small beam to failure, draw its curve"
@@ -36,7 +38,7 @@ help:
 	@echo "make verify    run the verification cases: $(BUILD)/verification.csv"
 	@echo "make validate  run the long cases"
 	@echo "make figures   draw the paper's figures from runs    make pictures  draw the crack pictures"
-	@echo "make bench | docs | format | install [PREFIX=...] | clean"
+	@echo "make bench | docs | fuzz | format | install [PREFIX=...] | clean"
 
 setup: setup-tests
 setup-program:
@@ -47,6 +49,8 @@ setup-docs:
 	$(call install_packages,$(DOCS_PACKAGES))
 setup-format:
 	$(call install_packages,$(FORMAT_PACKAGES))
+setup-fuzz:
+	$(call install_packages,$(FUZZ_PACKAGES))
 
 build: setup-program
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=OFF
@@ -86,6 +90,15 @@ docs: setup-docs
 	mkdocs build --quiet --site-dir $(BUILD)/docs
 	@echo "$(BUILD)/docs/index.html"
 
+# Starts from the examples' decks and keeps what it learns in build-fuzz/corpus.
+fuzz: setup-fuzz
+	cmake --preset fuzz
+	cmake --build build-fuzz -j $(JOBS) --target fuzz_deck
+	mkdir -p build-fuzz/corpus
+	for deck in examples/*/case.toml; do cp $$deck build-fuzz/corpus/$$(basename $$(dirname $$deck)).toml; done
+	build-fuzz/tests/fuzz/fuzz_deck -max_total_time=$(FUZZ_SECONDS) -timeout=20 -artifact_prefix=build-fuzz/ \
+	  build-fuzz/corpus
+
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
@@ -93,4 +106,4 @@ install: build
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean:
-	rm -rf $(BUILD) runs
+	rm -rf $(BUILD) build-fuzz runs

@@ -1,0 +1,26 @@
+// Requirement: whatever bytes a case file holds, reading it ends in a case or in a core::Error, never in a
+// crash; and the echo of every case that was read is a deck that reads.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "fissura/core/error.hpp"
+#include "fissura/deck/deck.hpp"
+
+namespace {
+std::optional<fissura::model::Case> read(std::string_view text) {
+  try {
+    return fissura::deck::read_case_text(text, "fuzz.toml");
+  } catch (fissura::core::Error const&) {
+    return std::nullopt;
+  }
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  auto const the_case = read({reinterpret_cast<char const*>(data), size});
+  // An error here escapes and counts as a crash: the program would have refused its own text.
+  if (the_case) fissura::deck::read_case_text(fissura::deck::echo(*the_case), "echo.toml");
+  return 0;
+}
