@@ -8,10 +8,11 @@
 
 namespace fissura::model {
 
-/// A curve with the time at which its stage starts.
+/// A curve that starts with a stage (-1: with the run). When a stage starts is known only as the run goes: see
+/// State::stage_start.
 struct TimedCurve {
   Curve curve;
-  double start = 0; ///< [s]
+  int stage = -1;
 };
 
 /// One component of a set of nodes that follows a prescribed motion (a support: none).
@@ -42,7 +43,7 @@ struct Gravity {
 
 struct Stage {
   std::string name;
-  double start = 0, end = 0; ///< [s]
+  double duration = 0; ///< [s] at most
   double mass_damping = 0, local_damping = 0, settle = 0;
 };
 

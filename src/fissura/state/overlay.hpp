@@ -1,5 +1,6 @@
 #pragma once
 // Forces on the corners of the few tets that bars, contact or applied loads act on. A tet without a slot costs nothing.
+#include <algorithm>
 #include <vector>
 
 namespace fissura::state {
@@ -9,6 +10,7 @@ struct Overlay {
   std::vector<int> slot_of_tet; ///< per tet: its slot, or -1
   std::vector<double> force;    ///< [slot][corner][x y z 0], N
 
+  void clear() { std::fill(force.begin(), force.end(), 0.0); }
   double* at(int slot) { return force.data() + 16 * slot; }
   double const* at(int slot) const { return force.data() + 16 * slot; }
 };

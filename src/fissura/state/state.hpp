@@ -37,6 +37,7 @@ struct State {
   core::Buffer<JointHistory> joint_history;   ///< untouched pages cost nothing
   BarState bars;
   std::vector<double> reaction;               ///< per Prescribed: sum of reactions at step n [N]
+  std::vector<double> prescribed_velocity;    ///< per Prescribed: at n - 1/2 [m/s]
   std::vector<double> stage_start;            ///< actual start time of each stage (a stage may end early) [s]
   Ledger ledger;
 };

@@ -1,0 +1,102 @@
+// The command line: parse, call the library, print, choose the exit code. Exit codes: 0 complete or stopped as asked,
+// 1 failed run, 2 bad input, 3 input/output failure.
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "fissura/core/error.hpp"
+#include "fissura/deck/deck.hpp"
+#include "fissura/sim/bench.hpp"
+#include "fissura/sim/check.hpp"
+#include "fissura/sim/run.hpp"
+#include "fissura/sim/template_case.hpp"
+
+namespace {
+
+using fissura::core::Error;
+
+struct RunArguments {
+  std::string deck;
+  std::vector<std::string> set;
+  fissura::sim::RunOptions options;
+};
+
+int run(RunArguments const& a) {
+  auto const c = fissura::deck::read_case(a.deck, a.set);
+  auto options = a.options;
+  options.version = FISSURA_VERSION;
+  options.deck_echo = fissura::deck::echo(c);
+  auto const result = fissura::sim::run_case(c, options);
+  if (result.status == "failed") {
+    fmt::print(stderr, "fissura: the run failed: {}\n", result.reason);
+    return 1;
+  }
+  if (!options.quiet) fmt::print("results in {}\n", result.folder);
+  return 0;
+}
+
+int check(std::string const& deck, std::vector<std::string> const& set) {
+  fmt::print("{}", fissura::sim::check_case(fissura::deck::read_case(deck, set)));
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Fissura: how reinforced concrete cracks, slips, yields and falls apart (3-D finite-discrete elements)"};
+  app.set_version_flag("--version", FISSURA_VERSION);
+  app.require_subcommand(1);
+
+  RunArguments run_arguments;
+  auto* run_command = app.add_subcommand("run", "Run a case file and leave a run folder");
+  run_command->add_option("case", run_arguments.deck, "Case file (TOML)")->required();
+  run_command->add_option("--out", run_arguments.options.out, "Run folder (default: <case>.run)");
+  run_command->add_option("--threads", run_arguments.options.threads, "Threads (default: all, or as the deck says)");
+  run_command->add_option("--until", run_arguments.options.until, "Stop at this time [s]");
+  run_command->add_option("--walltime", run_arguments.options.walltime, "Stop after so many seconds of wall time");
+  run_command->add_option("--set", run_arguments.set, "Change the deck: key=value, repeatable")->allow_extra_args(false);
+  run_command->add_flag("--quiet", run_arguments.options.quiet, "Nothing on the terminal but errors");
+  run_command->add_flag("--force", run_arguments.options.force, "Overwrite an existing run folder");
+
+  std::string deck;
+  std::vector<std::string> set;
+  auto* check_command = app.add_subcommand("check", "Report every error of a case file, or forecast its cost");
+  check_command->add_option("case", deck, "Case file (TOML)")->required();
+  check_command->add_option("--set", set, "Change the deck: key=value, repeatable")->allow_extra_args(false);
+
+  std::string template_name, template_folder;
+  auto* new_command = app.add_subcommand("new", "Write a commented starting case");
+  new_command->add_option("template", template_name, "One of: " + fissura::sim::template_names())->required();
+  new_command->add_option("folder", template_folder, "Folder to create")->required();
+
+  fissura::sim::BenchOptions bench;
+  auto* bench_command = app.add_subcommand("bench", "Time the step: ns per tet-step");
+  bench_command->add_option("--tets", bench.tets, "Tets, about (default 6000)");
+  bench_command->add_option("--threads", bench.threads, "Threads (default 1)");
+  bench_command->add_option("--steps", bench.steps, "Steps (default: about two seconds)");
+
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (*run_command) return run(run_arguments);
+    if (*check_command) return check(deck, set);
+    if (*new_command) {
+      fmt::print("{}\n", fissura::sim::write_template(template_name, template_folder));
+      return 0;
+    }
+    fmt::print("{}", fissura::sim::bench(bench));
+    return 0;
+  } catch (fissura::core::InputError const& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 2;
+  } catch (Error const& e) {
+    fmt::print(stderr, "fissura: {}\n", e.what());
+    return static_cast<int>(e.failure);
+  } catch (std::bad_alloc const&) {
+    fmt::print(stderr, "fissura: out of memory; `fissura check` tells what a case needs\n");
+    return 1;
+  } catch (std::exception const& e) {
+    fmt::print(stderr, "fissura: internal error: {}\n", e.what());
+    return 1;
+  }
+}

@@ -1,0 +1,44 @@
+#pragma once
+// The concrete's terms of Eq. (2): joints (F_conc,JE), tets (F_conc,FE), and the energy they hold.
+#include "fissura/model/model.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::concrete {
+
+/// F_conc,JE at u_n: tractions of all joints into their slots; histories and dissipation move on.
+void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
+
+/// F_conc,FE at u_n, gather of joint forces and overlay, damping, Eq. (1): v(n-1/2), u(n) -> v(n+1/2), u(n+1).
+/// Gravity acts with `gravity`; `gravity_mean` (now and next step) gives its work. Returns what the step dissipated.
+state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w, Vec3 gravity,
+                                        Vec3 gravity_mean, bool want_kinetic);
+
+/// The full law of one joint: evaluates its three points, updates its history and overwrites its force.
+void damaged_joint(model::Model const& m, state::State& s, double* joint_force, int joint);
+
+/// Elastic energy in the tets at u [J].
+double strain_energy(model::Model const& m, state::State const& s);
+/// Recoverable energy in the joints at u [J].
+double joint_energy(model::Model const& m, state::State const& s);
+/// What the joints have dissipated so far [J].
+laws::Dissipation joint_dissipation(model::Model const& m, state::State const& s);
+
+/// Separation of a joint at its three points, in its current frame (normal from a to b).
+struct JointKinematics {
+  Vec3 normal, axis_1, axis_2;
+  std::array<laws::Separation, 3> at; ///< mid-edges 01, 12, 20
+};
+/// From the displacements u - back * v (back = 0: now; back = dt: one step ago).
+JointKinematics joint_kinematics(model::Model const& m, state::State const& s, int joint, double back = 0);
+
+/// Cauchy stress of a tet: xx yy zz xy yz zx [Pa], elastic part.
+std::array<double, 6> tet_stress(model::Model const& m, state::State const& s, int tet);
+/// Deformation gradient of a tet minus the identity.
+Mat3 displacement_gradient(model::Model const& m, state::State const& s, int tet);
+
+struct JointCounts {
+  int damaged = 0, broken = 0, released = 0; ///< damaged includes broken
+};
+JointCounts count_joints(model::Model const& m, state::State const& s);
+
+} // namespace fissura::concrete

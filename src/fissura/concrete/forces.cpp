@@ -1,0 +1,98 @@
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/kernels.hpp"
+#include "fissura/parallel/parallel.hpp"
+
+namespace fissura::concrete {
+
+using model::Model;
+using state::Scratch;
+using state::State;
+using state::TetSums;
+
+namespace {
+
+constexpr std::size_t blocks_per_chunk = 32; // 256 tets or joints: the unit of work and of summation
+
+struct DamagedContext {
+  Model const& m;
+  State& s;
+  double* force;
+};
+
+void evaluate_damaged(void const* context, int joint) {
+  auto const& c = *static_cast<DamagedContext const*>(context);
+  damaged_joint(c.m, c.s, c.force, joint);
+}
+
+/// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
+TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::size_t begin, std::size_t end) {
+  TetSums sums;
+  double const dt = pass.dt, keep = 1 - 0.5 * pass.mass_damping * dt, scale = 1 / (1 + 0.5 * pass.mass_damping * dt);
+  for (std::size_t c = begin; c < end; ++c) {
+    int const from = m.bonding.start[c], to = m.bonding.start[c + 1], first = m.bonding.node[from];
+    std::size_t const tet = static_cast<std::size_t>(first / 4);
+    double const inverse = m.tets.inverse_mass[model::at(tet, first % 4, 4)], mass = 1 / inverse;
+    double const ratio = m.tets.weight_ratio[tet];
+    for (int r = 0; r < 3; ++r) {
+      double f = 0;
+      for (int i = from; i < to; ++i) f += pass.corner_force[4 * m.bonding.node[i] + r];
+      double const old = s.v[4 * first + r];
+      double a = inverse * f + ratio * pass.gravity[r];
+      double const damped = pass.local_damping * std::abs(a);
+      a -= old > 0 ? damped : old < 0 ? -damped : 0;
+      double const v = scale * (keep * old + dt * a), u = s.u[4 * first + r] + dt * v;
+      for (int i = from; i < to; ++i) {
+        s.v[4 * m.bonding.node[i] + r] = v;
+        s.u[4 * m.bonding.node[i] + r] = u;
+      }
+      sums.mass_damping += mass * old * old * pass.mass_damping * dt;
+      sums.local_damping += mass * damped * std::abs(old) * dt;
+      sums.gravity += mass * ratio * pass.gravity_mean[r] * v * dt;
+      sums.kinetic += 0.125 * mass * (old + v) * (old + v);
+    }
+  }
+  return sums;
+}
+
+void add(TetSums& to, TetSums const& from) {
+  to.viscous += from.viscous;
+  to.mass_damping += from.mass_damping;
+  to.local_damping += from.local_damping;
+  to.gravity += from.gravity;
+  to.kinetic += from.kinetic;
+}
+
+} // namespace
+
+void joint_forces(Model const& m, State& s, Scratch& w) {
+  DamagedContext const context{m, s, w.joint_force.data()};
+  JointPass const pass{&m.joints, s.u.data(), w.joint_force.data(), s.joint_status.data(), &evaluate_damaged, &context};
+  auto const run = kernels().joint_forces;
+  parallel::for_chunks(m.joints.blocks(), blocks_per_chunk,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
+}
+
+TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
+                                 bool want_kinetic) {
+  auto const& stage = m.stages[s.stage];
+  TetPass const pass{&m.tets, s.u.data(), s.v.data(), w.joint_force.data(), &w.overlay,
+                     m.bonding.any ? w.corner_force.data() : nullptr, m.dt, stage.mass_damping, stage.local_damping,
+                     gravity, gravity_mean, want_kinetic};
+  auto const run = kernels().tet_forces;
+  parallel::for_chunks(m.tets.blocks(), blocks_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    w.tet_sums[chunk] = run(pass, begin, end);
+  });
+  TetSums total;
+  std::size_t const chunks = parallel::chunks(m.tets.blocks(), blocks_per_chunk);
+  for (std::size_t c = 0; c < chunks; ++c) add(total, w.tet_sums[c]);
+  if (!m.bonding.any) return total;
+
+  std::size_t const clusters = m.bonding.start.size() - 1, grain = 8 * blocks_per_chunk;
+  parallel::for_chunks(clusters, grain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    w.tet_sums[chunk] = integrate_clusters(m, s, pass, begin, end);
+  });
+  for (std::size_t c = 0; c < parallel::chunks(clusters, grain); ++c) add(total, w.tet_sums[c]);
+  return total;
+}
+
+} // namespace fissura::concrete

@@ -1,0 +1,49 @@
+#pragma once
+// The two hot loops of the step, compiled once per instruction set and chosen at start.
+#include <cstddef>
+#include <string_view>
+
+#include "fissura/model/blocks.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::concrete {
+
+/// What the joint loop needs. `damaged` evaluates one joint by the full law and overwrites its force.
+struct JointPass {
+  model::JointBlocks const* joints;
+  double const* u;
+  double* force;
+  std::uint8_t const* status;
+  void (*damaged)(void const* context, int joint);
+  void const* context;
+};
+
+/// What the tet loop needs beside the state arrays.
+struct TetPass {
+  model::TetBlocks const* tets;
+  double* u;
+  double* v;
+  double const* joint_force;
+  state::Overlay const* overlay;
+  double* corner_force;   ///< bonded meshes: write corner forces here and do not integrate; else nullptr
+  double dt;
+  double mass_damping;    ///< c [1/s]
+  double local_damping;   ///< alpha [-]
+  Vec3 gravity;           ///< acceleration now [m/s2]
+  Vec3 gravity_mean;      ///< mean of now and of the next step, for its work
+  bool want_kinetic;
+};
+
+/// One set of kernels per instruction set; [begin, end) are blocks.
+struct KernelSet {
+  std::string_view name; ///< "x86-64-v2", "x86-64-v3", "x86-64-v4", or "scalar" (the oracle)
+  void (*joint_forces)(JointPass const&, std::size_t begin, std::size_t end);
+  state::TetSums (*tet_forces)(TetPass const&, std::size_t begin, std::size_t end);
+};
+
+/// The best set this machine can run; the environment variable FISSURA_KERNELS=scalar|v2|v3|v4 overrides it.
+KernelSet const& kernels();
+/// A named set ("scalar", "v2", "v3", "v4"); throws core::Error when the machine cannot run it.
+KernelSet const& kernels(std::string_view name);
+
+} // namespace fissura::concrete

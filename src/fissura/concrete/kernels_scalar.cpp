@@ -1,0 +1,10 @@
+// The same kernels one tet at a time: the oracle that the packs are tested against.
+#include "fissura/concrete/joint_kernel.hpp"
+#include "fissura/concrete/tet_kernel.hpp"
+
+namespace fissura::concrete {
+
+extern KernelSet const kernels_scalar;
+KernelSet const kernels_scalar{"scalar", &joint_forces<double>, &tet_forces<double>};
+
+} // namespace fissura::concrete

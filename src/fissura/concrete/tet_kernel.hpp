@@ -1,0 +1,218 @@
+#pragma once
+// Tet forces (Eqs. 6-12), the gather of the joint forces, and the integration of Eq. (1) in one pass over the tets.
+// Included only by the files that are compiled per instruction set.
+#include "fissura/concrete/kernels.hpp"
+#include "fissura/core/pack.hpp"
+
+namespace fissura::concrete {
+inline namespace FISSURA_ISA {
+
+using core::load;
+using core::Vec;
+
+template <class V>
+struct Mat {
+  Vec<V> x, y, z; // rows
+};
+/// sum over the three edges of (edge vector) x (reference gradient).
+template <class V>
+inline Mat<V> gradient_of(Vec<V> const* d, Vec<V> const* g) {
+  return {d[0].x * g[0] + d[1].x * g[1] + d[2].x * g[2], d[0].y * g[0] + d[1].y * g[1] + d[2].y * g[2],
+          d[0].z * g[0] + d[1].z * g[1] + d[2].z * g[2]};
+}
+template <class V>
+inline Vec<V> times(Mat<V> const& m, Vec<V> v) {
+  return {core::dot(m.x, v), core::dot(m.y, v), core::dot(m.z, v)};
+}
+
+/// One pack of tets on its way through the step.
+template <class V>
+struct TetPack {
+  TetPass const& pass;
+  std::size_t block;
+  int lane0;
+  Vec<V> u[4], v[4], f[4];
+
+  double const* constant(core::Buffer<double> const& b, int components) const {
+    return b.data() + block * components * model::block + lane0;
+  }
+  std::size_t first_node() const { return 4 * (block * model::block + lane0); }
+
+  void load_state() {
+    int index[model::block];
+    for (int i = 0; i < core::lanes<V>; ++i) index[i] = 16 * i;
+    for (int a = 0; a < 4; ++a) {
+      u[a] = core::load_nodes<V>(pass.u + 4 * (first_node() + a), index);
+      v[a] = core::load_nodes<V>(pass.v + 4 * (first_node() + a), index);
+    }
+  }
+
+  /// Internal forces: f_a = -V P grad N_a with P = G F + s cof F (hyperelastic) or T cof F (law `paper`).
+  /// Returns the power dissipated by the viscous stress [W].
+  template <bool paper>
+  V internal_forces() {
+    model::TetBlocks const& t = *pass.tets;
+    V const one(1.0), half(0.5);
+    double const* const gp = constant(t.gradient, 9);
+    auto row = [&](int i) { return load<V>(gp + i * model::block); };
+    Vec<V> const g[3] = {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
+    V const G = load<V>(constant(t.shear_modulus, 1)), lambda = load<V>(constant(t.lame, 1));
+    V const volume = load<V>(constant(t.volume, 1));
+
+    Vec<V> const du[3] = {u[1] - u[0], u[2] - u[0], u[3] - u[0]};
+    Mat<V> const H = gradient_of(du, g);
+    Mat<V> F = H;
+    F.x.x += one, F.y.y += one, F.z.z += one;
+    Mat<V> const C{core::cross(F.y, F.z), core::cross(F.z, F.x), core::cross(F.x, F.y)};
+    V const J = core::dot(F.x, C.x);
+
+    Mat<V> P;
+    if constexpr (paper) {
+      V const exx = half * (core::dot(F.x, F.x) - one), eyy = half * (core::dot(F.y, F.y) - one);
+      V const ezz = half * (core::dot(F.z, F.z) - one), mean = lambda * (exx + eyy + ezz), G2 = G + G;
+      V const txy = G * core::dot(F.x, F.y), txz = G * core::dot(F.x, F.z), tyz = G * core::dot(F.y, F.z);
+      V const txx = G2 * exx + mean, tyy = G2 * eyy + mean, tzz = G2 * ezz + mean;
+      P = {txx * C.x + txy * C.y + txz * C.z, txy * C.x + tyy * C.y + tyz * C.z, txz * C.x + tyz * C.y + tzz * C.z};
+    } else {
+      V const s = (half * lambda * (J * J - one) - G) / J;
+      P = {G * F.x + s * C.x, G * F.y + s * C.y, G * F.z + s * C.z};
+    }
+    V power(0.0);
+    if (t.any_viscosity) power = add_viscous(P, C, J, g, volume);
+
+    V const minus = -volume;
+    for (int a = 0; a < 3; ++a) f[a + 1] = times(P, minus * g[a]);
+    f[0] = V(-1.0) * (f[1] + f[2] + f[3]);
+    return power;
+  }
+
+  /// mu_bar D of Eq. 8 with L = Fdot F^-1, evaluated at the last half step. Returns its power V J mu D : D.
+  V add_viscous(Mat<V>& P, Mat<V> const& C, V J, Vec<V> const* g, V volume) {
+    V const mu = load<V>(constant(pass.tets->viscosity, 1)), half(0.5);
+    Vec<V> const dv[3] = {v[1] - v[0], v[2] - v[0], v[3] - v[0]};
+    Mat<V> const Fdot = gradient_of(dv, g);
+    V const inv = V(1.0) / J;
+    // F^-1 = C^T/J: L_ij = Fdot_i . C_j / J
+    V const dxx = inv * core::dot(Fdot.x, C.x), dyy = inv * core::dot(Fdot.y, C.y), dzz = inv * core::dot(Fdot.z, C.z);
+    V const dxy = half * inv * (core::dot(Fdot.x, C.y) + core::dot(Fdot.y, C.x));
+    V const dxz = half * inv * (core::dot(Fdot.x, C.z) + core::dot(Fdot.z, C.x));
+    V const dyz = half * inv * (core::dot(Fdot.y, C.z) + core::dot(Fdot.z, C.y));
+    P.x = P.x + mu * (dxx * C.x + dxy * C.y + dxz * C.z);
+    P.y = P.y + mu * (dxy * C.x + dyy * C.y + dyz * C.z);
+    P.z = P.z + mu * (dxz * C.x + dyz * C.y + dzz * C.z);
+    V const two(2.0);
+    return volume * J * mu * (dxx * dxx + dyy * dyy + dzz * dzz + two * (dxy * dxy + dxz * dxz + dyz * dyz));
+  }
+
+  void gather_joint_forces() {
+    model::TetBlocks const& t = *pass.tets;
+    int const* const where = t.joint_force.data() + block * 12 * model::block + lane0;
+    double const* const sign = constant(t.joint_sign, 4);
+    for (int face = 0; face < 4; ++face) {
+      V const s = load<V>(sign + face * model::block);
+      for (int k = 0; k < 3; ++k) {
+        int const a = mesh::face_corners[face][k];
+        f[a] = f[a] + s * core::load_nodes<V>(pass.joint_force, where + (3 * face + k) * model::block);
+      }
+    }
+  }
+
+  void add_overlay() {
+    if (!pass.tets->has_overlay[block]) return;
+    for (int i = 0; i < core::lanes<V>; ++i) {
+      int const slot = pass.overlay->slot_of_tet[block * model::block + lane0 + i];
+      if (slot < 0) continue;
+      double const* const o = pass.overlay->at(slot);
+      for (int a = 0; a < 4; ++a) {
+        add_lane(f[a].x, i, o[4 * a]);
+        add_lane(f[a].y, i, o[4 * a + 1]);
+        add_lane(f[a].z, i, o[4 * a + 2]);
+      }
+    }
+  }
+  static void add_lane(V& value, int i, double add) {
+    if constexpr (std::is_same_v<V, double>)
+      value += add;
+    else
+      value[i] = value[i] + add;
+  }
+
+  void store_corner_forces() {
+    for (int a = 0; a < 4; ++a) core::store_nodes<V>(pass.corner_force + 4 * (first_node() + a), 16, f[a]);
+  }
+
+  /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local damping.
+  void integrate(V (&sums)[4]) {
+    V const zero(0.0), half(0.5), dt(pass.dt), alpha(pass.local_damping);
+    V const ratio = load<V>(constant(pass.tets->weight_ratio, 1));
+    V const keep(1 - 0.5 * pass.mass_damping * pass.dt), scale(1 / (1 + 0.5 * pass.mass_damping * pass.dt));
+    Vec<V> const g{V(pass.gravity.x) * ratio, V(pass.gravity.y) * ratio, V(pass.gravity.z) * ratio};
+    Vec<V> const gm{V(pass.gravity_mean.x) * ratio, V(pass.gravity_mean.y) * ratio, V(pass.gravity_mean.z) * ratio};
+    double const* const im = constant(pass.tets->inverse_mass, 4);
+    for (int a = 0; a < 4; ++a) {
+      V const inverse = load<V>(im + a * model::block);
+      V const mass = core::choose(inverse > zero, V(V(1.0) / inverse), zero);
+      Vec<V> acc = inverse * f[a] + g;
+      Vec<V> const old = v[a];
+      if (pass.local_damping > 0) {
+        auto damp = [&](V& r, V w) {
+          V const d = alpha * core::absolute(r);
+          V const sense = core::choose(w > zero, V(1.0), core::choose(w < zero, V(-1.0), zero));
+          r -= d * sense;
+          sums[2] += mass * d * core::absolute(w);
+        };
+        damp(acc.x, old.x), damp(acc.y, old.y), damp(acc.z, old.z);
+      }
+      v[a] = scale * (keep * old + dt * acc);
+      u[a] = u[a] + dt * v[a];
+      sums[1] += mass * core::dot(old, old);
+      sums[3] += mass * core::dot(gm, v[a]);
+      if (pass.want_kinetic) {
+        Vec<V> const mid = half * (old + v[a]);
+        sums[0] += half * mass * core::dot(mid, mid);
+      }
+    }
+    for (int a = 0; a < 4; ++a) {
+      core::store_nodes<V>(pass.u + 4 * (first_node() + a), 16, u[a]);
+      core::store_nodes<V>(pass.v + 4 * (first_node() + a), 16, v[a]);
+    }
+  }
+};
+
+template <class V>
+inline double sum_lanes(V v) {
+  if constexpr (std::is_same_v<V, double>)
+    return v;
+  else {
+    double s = 0;
+    for (int i = 0; i < core::lanes<V>; ++i) s += v[i];
+    return s;
+  }
+}
+
+template <class V>
+state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
+  V viscous(0.0), sums[4] = {V(0.0), V(0.0), V(0.0), V(0.0)};
+  for (std::size_t b = begin; b < end; ++b)
+    for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
+      TetPack<V> p{pass, b, lane, {}, {}, {}};
+      p.load_state();
+      viscous += pass.tets->is_paper[b] ? p.template internal_forces<true>() : p.template internal_forces<false>();
+      p.gather_joint_forces();
+      p.add_overlay();
+      if (pass.corner_force)
+        p.store_corner_forces();
+      else
+        p.integrate(sums);
+    }
+  state::TetSums r;
+  r.viscous = sum_lanes(viscous) * pass.dt;
+  r.kinetic = sum_lanes(sums[0]);
+  r.mass_damping = sum_lanes(sums[1]) * pass.mass_damping * pass.dt;
+  r.local_damping = sum_lanes(sums[2]) * pass.dt;
+  r.gravity = sum_lanes(sums[3]) * pass.dt;
+  return r;
+}
+
+} // namespace FISSURA_ISA
+} // namespace fissura::concrete

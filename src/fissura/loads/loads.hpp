@@ -1,0 +1,35 @@
+#pragma once
+// Supports, prescribed motion and applied forces (F_ext of Eq. 2), one function per term.
+#include "fissura/model/model.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::loads {
+
+/// Value of a stage-bound curve at time t; 0 before its stage starts.
+double value_at(model::TimedCurve const& curve, state::State const& s, double t);
+
+/// Acceleration of gravity at time t [m/s2].
+Vec3 gravity_at(model::Model const& m, state::State const& s, double t);
+
+/// Adds the applied forces and tractions at u_n to the overlay.
+void applied_forces(model::Model const& m, state::State const& s, state::Scratch& w);
+
+/// Work of the applied forces over u_n -> u_(n+1), by the trapezoidal rule in the force [J].
+double applied_work(model::Model const& m, state::State const& s);
+
+/// The damping that is in force during the current stage.
+model::Stage const& current_stage(model::Model const& m, state::State const& s);
+
+/// What prescribing velocities changed beside u and v: the tet pass had integrated these nodes as free ones.
+struct MotionEffects {
+  double work_done = 0;    ///< completes the work of the supports up to u_n [J]
+  double work_next = 0;    ///< first half of the work over u_n -> u_(n+1) [J]
+  double kinetic = 0;      ///< to add to the kinetic energy at n [J]
+  double gravity = 0;      ///< to add to the work of gravity over u_n -> u_(n+1) [J]
+  double local_damping = 0; ///< to add to the local damping [J]
+};
+
+/// Imposes the prescribed velocities at n + 1/2 and records the reactions at u_n (State::reaction).
+MotionEffects move_supports(model::Model const& m, state::State& s, Vec3 gravity_mean);
+
+} // namespace fissura::loads

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+namespace fissura::sim {
+
+struct BenchOptions {
+  long tets = 6000;
+  int threads = 1;
+  long steps = 0; ///< 0 = enough for about two seconds
+};
+
+/// Times `step::advance` on an uncracked cube of Kuhn cells with a run's defaults, the ledger read every 50 steps and no
+/// output; returns one line with "ns per tet-step".
+std::string bench(BenchOptions const& options);
+
+} // namespace fissura::sim

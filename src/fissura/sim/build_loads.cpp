@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+#include "fissura/model/select.hpp"
+#include "fissura/sim/build_model.hpp"
+
+namespace fissura::sim {
+
+using model::Model;
+
+namespace {
+
+/// All node copies at each mesh point.
+class Copies {
+ public:
+  explicit Copies(mesh::Mesh const& mesh) : start_(mesh.points.size() + 1, 0), node_(4 * mesh.tets.size()) {
+    for (auto const& t : mesh.tets)
+      for (int p : t) ++start_[p + 1];
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    std::vector<int> fill(start_.begin(), start_.end() - 1);
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+      for (int a = 0; a < 4; ++a) node_[fill[mesh.tets[t][a]]++] = model::node_of(static_cast<int>(t), a);
+  }
+  std::span<int const> of(int point) const {
+    return {node_.data() + start_[point], node_.data() + start_[point + 1]};
+  }
+
+ private:
+  std::vector<int> start_, node_;
+};
+
+int stage_number(Model const& m, std::string const& name, core::Place const& place) {
+  if (name.empty()) return -1;
+  for (std::size_t i = 0; i < m.stages.size(); ++i)
+    if (m.stages[i].name == name) return static_cast<int>(i);
+  throw core::InputError(place, fmt::format("there is no [[stage]] `{}`", name));
+}
+
+void build_stages(Model& m) {
+  auto const& c = m.source;
+  auto or_default = [](double own, double of_run) { return own >= 0 ? own : of_run; };
+  for (auto const& s : c.stages)
+    m.stages.push_back({s.name, s.duration, or_default(s.mass_damping, c.run.mass_damping),
+                        or_default(s.local_damping, c.run.local_damping), s.settle});
+  if (m.stages.empty())
+    m.stages.push_back({"run", c.run.end_time, c.run.mass_damping, c.run.local_damping, 0});
+}
+
+/// Which item prescribes each (node, axis): two would fight over it.
+class Owners {
+ public:
+  void claim(int node, int axis, std::string const& name, core::Place const& place) {
+    auto const [where, is_new] = owner_.try_emplace({node, axis}, name);
+    if (!is_new)
+      throw core::InputError(place, fmt::format("`{}` and `{}` both prescribe the {} motion of the same node; let them "
+                                                "select different points or components",
+                                                name, where->second, "xyz"[axis]));
+  }
+
+ private:
+  std::map<std::pair<int, int>, std::string> owner_;
+};
+
+std::vector<int> nodes_at(Model const& m, Copies const& copies, model::Selector const& where) {
+  std::vector<int> nodes;
+  for (int const point : model::select_points(m.mesh, where))
+    for (int const node : copies.of(point)) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+void build_prescribed(Model& m, Copies const& copies) {
+  Owners owners;
+  for (auto const& s : m.source.supports) {
+    auto const nodes = nodes_at(m, copies, s.where);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!s.fix[axis]) continue;
+      for (int const n : nodes) owners.claim(n, axis, s.name, s.place);
+      m.prescribed.push_back({s.name, axis, true, {}, nodes});
+    }
+  }
+  for (auto const& s : m.source.motions) {
+    auto const nodes = nodes_at(m, copies, s.where);
+    for (int const n : nodes) owners.claim(n, s.axis, s.name, s.place);
+    m.prescribed.push_back({s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
+  }
+}
+
+/// Entries name a node at first; its overlay slot is known once all hosts are.
+struct PendingEntry {
+  int node;
+  Vec3 share;
+};
+struct PendingForce {
+  model::AppliedForce force;
+  std::vector<PendingEntry> entries;
+};
+
+/// The total, shared equally among the points, and among the copies of a point by their mass: they move as one.
+PendingForce point_force(Model const& m, Copies const& copies, model::ForceSpec const& f) {
+  PendingForce p;
+  p.force.name = f.name;
+  p.force.curve = {f.curve, stage_number(m, f.stage, f.place)};
+  auto const points = model::select_points(m.mesh, f.where);
+  for (int const point : points) {
+    double mass = 0;
+    for (int const node : copies.of(point)) mass += m.mass[node];
+    for (int const node : copies.of(point))
+      p.entries.push_back({node, (m.mass[node] / mass / static_cast<double>(points.size())) * unit(f.direction)});
+  }
+  return p;
+}
+
+PendingForce traction(Model const& m, model::TractionSpec const& s) {
+  PendingForce p;
+  p.force.name = s.name;
+  p.force.curve = {s.curve, stage_number(m, s.stage, s.place)};
+  for (auto const& face : model::select_boundary_faces(m.mesh, m.adjacency, s.where)) {
+    auto const& corner = mesh::face_corners[face.face];
+    auto const x = mesh::corners(m.mesh, face.tet);
+    Vec3 const area = 0.5 * cross(x[corner[1]] - x[corner[0]], x[corner[2]] - x[corner[0]]); // outwards
+    Vec3 const along = s.normal ? -area : norm(area) * unit(s.direction);
+    for (int const c : corner) p.entries.push_back({model::node_of(face.tet, c), (1.0 / 3) * along});
+  }
+  return p;
+}
+
+void build_forces(Model& m, Copies const& copies) {
+  std::vector<PendingForce> pending;
+  for (auto const& f : m.source.forces) pending.push_back(point_force(m, copies, f));
+  for (auto const& t : m.source.tractions) pending.push_back(traction(m, t));
+
+  std::set<int> hosts;
+  for (auto const& e : m.bars.elements) hosts.insert(e.tet);
+  for (auto const& j : m.bars.joints) hosts.insert({j.tet_a, j.tet_b});
+  for (auto const& p : pending)
+    for (auto const& e : p.entries) hosts.insert(e.node / 4);
+  m.overlay_tets.assign(hosts.begin(), hosts.end());
+  for (int const tet : m.overlay_tets) m.tets.has_overlay[tet / model::block] = 1;
+
+  for (auto& p : pending) {
+    for (auto const& e : p.entries) {
+      auto const slot = std::lower_bound(m.overlay_tets.begin(), m.overlay_tets.end(), e.node / 4);
+      p.force.entries.push_back({static_cast<int>(slot - m.overlay_tets.begin()), e.node % 4, e.share});
+    }
+    m.forces.push_back(std::move(p.force));
+  }
+}
+
+} // namespace
+
+void build_loads(Model& m) {
+  build_stages(m);
+  Copies const copies(m.mesh);
+  build_prescribed(m, copies);
+  build_forces(m, copies);
+  auto const& g = m.source.gravity;
+  m.gravity = {g.on, unit(g.direction), {g.curve, stage_number(m, g.stage, g.place)}};
+}
+
+} // namespace fissura::sim

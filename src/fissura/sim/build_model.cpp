@@ -1,0 +1,88 @@
+#include "fissura/sim/build_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "fissura/mesh/box.hpp"
+#include "fissura/mesh/check.hpp"
+#include "fissura/mesh/gmsh_reader.hpp"
+#include "fissura/mesh/renumber.hpp"
+#include "fissura/model/make_blocks.hpp"
+#include "fissura/model/make_joints.hpp"
+#include "fissura/rebar/rebar.hpp"
+#include "fissura/step/stable_step.hpp"
+
+namespace fissura::sim {
+
+using model::Model;
+
+namespace {
+
+mesh::Mesh make_mesh(model::MeshSpec const& spec) {
+  if (!spec.file.empty()) return mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
+  std::vector<mesh::BoxCells> boxes;
+  for (auto const& b : spec.boxes) boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place});
+  return mesh::make_boxes(boxes);
+}
+
+void note_assumptions(Model const& m, BuildReport& report) {
+  for (auto const& c : m.source.concretes) {
+    if (!c.joints || !c.crackable) continue;
+    if (c.G_f == 0)
+      report.notes.push_back(fmt::format("{}: G_f = 73 f_cm^0.18 = {:.4g} N/m (fib MC2010, f_cm = f_c)", c.name,
+                                         model::default_fracture_energy(c.f_c)));
+    if (c.shear == model::ShearStrength::mohr_coulomb) {
+      double const cohesion = c.cohesion > 0 ? c.cohesion : model::default_cohesion(c.f_c, c.friction_angle);
+      report.notes.push_back(fmt::format("{}: Mohr-Coulomb joints, c = {:.4g} MPa, phi = {:.3g} degrees", c.name,
+                                         cohesion * 1e-6, c.friction_angle * 180 / std::numbers::pi));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    auto const worst = model::weakest_plane(m, axis);
+    if (worst.stress > 0)
+      report.notes.push_back(fmt::format("compression along {}: the mesh's worst plane ({:.0f} degrees to the load) slides at {:.4g} MPa",
+                                         "xyz"[axis], worst.angle * 180 / std::numbers::pi, worst.stress * 1e-6));
+  }
+}
+
+void choose_step(Model& m) {
+  auto const& run = m.source.run;
+  auto const stable = step::stable_step(m);
+  m.dt = run.dt > 0 ? run.dt : run.dt_factor * stable.dt;
+  m.dt_limiter = run.dt > 0 ? fmt::format("given in the deck; stable step {:.4g} s by {}", stable.dt, stable.limiter)
+                            : stable.limiter;
+}
+
+} // namespace
+
+Model build_model(model::Case const& c, BuildReport& report) {
+  Model m;
+  m.source = c;
+  m.mesh = make_mesh(c.mesh);
+  mesh::check_mesh(m.mesh, c.mesh.place);
+  mesh::renumber(m.mesh);
+  m.adjacency = mesh::make_adjacency(m.mesh);
+  report.quality = mesh::measure_quality(m.mesh, m.adjacency);
+  report.warnings = mesh::quality_warnings(report.quality);
+  m.material_of_tet = model::assign_materials(c, m.mesh);
+  model::make_blocks(m);
+
+  auto embedded = rebar::embed_bars(m.mesh, m.adjacency, c.bars, c.steels, m.joint_of_shared_face);
+  m.bars = std::move(embedded.bars);
+  report.embedding = std::move(embedded.report);
+  report.warnings.insert(report.warnings.end(), embedded.warnings.begin(), embedded.warnings.end());
+  std::vector<double> steel(4 * static_cast<std::size_t>(m.tets.count), 0);
+  rebar::add_steel_mass(m.bars, steel);
+  model::add_steel_mass(m, steel);
+
+  rebar::set_bar_joint_laws(m);
+
+  build_loads(m);
+  choose_step(m);
+  note_assumptions(m, report);
+  return m;
+}
+
+} // namespace fissura::sim

@@ -1,0 +1,27 @@
+#pragma once
+// From a case to the immutable problem.
+#include <string>
+#include <vector>
+
+#include "fissura/mesh/quality.hpp"
+#include "fissura/model/model.hpp"
+#include "fissura/rebar/embed.hpp"
+
+namespace fissura::sim {
+
+/// What building found out, for the log and the forecast.
+struct BuildReport {
+  mesh::Quality quality;
+  rebar::EmbeddingReport embedding;
+  std::vector<std::string> notes;    ///< assumed values and derived strengths
+  std::vector<std::string> warnings; ///< each with its cure
+};
+
+/// Reads or makes the mesh, checks and renumbers it, makes joints, bars and loads, and chooses the time step.
+/// Throws core::InputError naming the place in the deck or in the mesh.
+model::Model build_model(model::Case const& c, BuildReport& report);
+
+/// Supports, motions, forces, tractions, gravity and stages of the case, resolved to nodes; fills in overlay_tets.
+void build_loads(model::Model& m);
+
+} // namespace fissura::sim

@@ -1,0 +1,56 @@
+#pragma once
+// The user's gauges: what each column of history.csv reads.
+#include <string>
+#include <vector>
+
+#include "fissura/model/model.hpp"
+#include "fissura/output/csv.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::sim {
+
+/// A gauge resolved to what it reads.
+struct Gauge {
+  model::GaugeSpec spec;
+  std::string unit;
+  std::vector<int> nodes;        ///< displacement, velocity
+  std::vector<int> prescribed;   ///< reaction: indices into Model::prescribed
+  std::vector<int> forces;       ///< force: indices into Model::forces
+  int bar_element = -1, bar_joint = -1;
+  struct Crossing {
+    int joint;
+    std::array<double, 3> weight; ///< of the joint's three corner pairs
+  };
+  std::vector<Crossing> crossings; ///< crack_width
+  std::vector<int> from, to;       ///< mean_strain: copies of the two end nodes
+  Vec3 along;                      ///< unit vector of the gauge's line
+  double length = 0;               ///< [m]
+  int zero_stage = -1;
+  bool reads_forces = false;       ///< needs the reactions at u_n: read after the step
+};
+
+class Gauges {
+ public:
+  /// Throws core::InputError at the gauge's place for names or places that do not exist.
+  explicit Gauges(model::Model const& m);
+
+  std::vector<output::Column> columns() const;
+  std::size_t size() const { return gauges_.size(); }
+  /// Index of a gauge by name, or -1.
+  int find(std::string const& name) const;
+
+  /// Displacements, strains and bars at u_n: before the step moves on.
+  void read_state(model::Model const& m, state::State const& s);
+  /// Reactions and forces at u_n: after the step has found them. `time` is that of u_n.
+  void read_forces(model::Model const& m, state::State const& s, double time);
+  /// The last readings, factor and zero applied: the first reading of a stage is the zero of gauges that name it.
+  std::vector<double> const& values() const { return values_; }
+
+ private:
+  void store(std::size_t i, double raw, int stage);
+  std::vector<Gauge> gauges_;
+  std::vector<double> zero_, values_;
+  std::vector<char> zeroed_;
+};
+
+} // namespace fissura::sim

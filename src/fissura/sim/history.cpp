@@ -1,0 +1,31 @@
+#include "fissura/sim/history.hpp"
+
+#include <fmt/format.h>
+
+namespace fissura::sim {
+
+History::History(std::string const& path, model::Model const& m, Gauges const& gauges) {
+  auto columns = gauges.columns();
+  for (auto const& p : m.prescribed) columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
+  for (auto const& [name, value] : step::EnergyBalance{}.accounts()) columns.push_back({fmt::format("energy_{}", name), "J"});
+  columns.push_back({"energy_residual", "-"});
+  for (char const* count : {"joints_damaged", "joints_broken", "bar_joints_activated", "bar_joints_yielded", "bars_broken"})
+    columns.push_back({count, "-"});
+  csv_ = std::make_unique<output::CsvWriter>(path, columns);
+  values_.reserve(columns.size());
+}
+
+void History::row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
+                  step::EnergyBalance const& e, Monitor const& monitor) {
+  values_.assign(gauges.values().begin(), gauges.values().end());
+  values_.insert(values_.end(), s.reaction.begin(), s.reaction.end());
+  for (auto const& [name, value] : e.accounts()) values_.push_back(value);
+  values_.push_back(monitor.residual_of(e));
+  auto const joints = concrete::count_joints(m, s);
+  auto const bars = count_bars(s.bars);
+  for (int const n : {joints.damaged, joints.broken, bars.activated, bars.yielded, bars.broken})
+    values_.push_back(n);
+  csv_->row(time, values_);
+}
+
+} // namespace fissura::sim

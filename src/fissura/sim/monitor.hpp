@@ -1,0 +1,45 @@
+#pragma once
+// Watches a run: energy residual, kinetic share, damage counts, and the place of a number that is not finite.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/rebar/rebar.hpp"
+#include "fissura/step/ledger.hpp"
+
+namespace fissura::sim {
+
+struct BarCounts {
+  int activated = 0, yielded = 0, broken = 0; ///< bar joints
+};
+BarCounts count_bars(state::BarState const& bars);
+
+class Monitor {
+ public:
+  explicit Monitor(model::Model const& m);
+
+  /// Takes in a reading of the ledger. Returns the reason to stop the run, if there is one.
+  std::optional<std::string> take(step::EnergyBalance const& e, model::Model const& m, state::State const& s);
+
+  /// Largest |missing energy| so far over the largest energy put in so far; negative = energy was created.
+  double residual() const { return scale_ > 0 ? worst_missing_ / scale_ : 0; }
+  /// Residual of one reading.
+  double residual_of(step::EnergyBalance const& e) const { return scale_ > 0 ? e.missing() / scale_ : 0; }
+  /// Largest kinetic/internal energy while the internal energy was above 1 % of its largest value.
+  double kinetic_ratio() const;
+  bool crossed_warning() const { return warned_; }
+
+ private:
+  double worst_missing_ = 0, scale_ = 0, floor_ = 0;
+  bool warned_ = false;
+  struct Share {
+    double kinetic, internal;
+  };
+  std::vector<Share> shares_;
+};
+
+/// Where the first non-finite displacement or velocity sits, for the message that ends the run; empty if none.
+std::string find_non_finite(model::Model const& m, state::State const& s);
+
+} // namespace fissura::sim

@@ -1,0 +1,31 @@
+#pragma once
+// The progress line: share done, time left over a moving window, residual, damage.
+#include <array>
+#include <chrono>
+#include <string>
+
+namespace fissura::sim {
+
+class Progress {
+ public:
+  /// Seconds of wall time left, from the speed of the last half minute or so; < 0 while unknown.
+  double eta(double done);
+  double elapsed() const;
+  /// True at most every `seconds` of wall time.
+  bool due(double seconds);
+
+ private:
+  using clock = std::chrono::steady_clock;
+  struct Sample {
+    double wall, done;
+  };
+  clock::time_point start_ = clock::now();
+  double last_ = 0;
+  std::array<Sample, 16> window_{};
+  std::size_t samples_ = 0;
+};
+
+/// "1 h 02 min", "3 min 20 s", "12 s".
+std::string readable_duration(double seconds);
+
+} // namespace fissura::sim

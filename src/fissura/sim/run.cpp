@@ -1,0 +1,283 @@
+#include "fissura/sim/run.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "fissura/output/atomic_file.hpp"
+#include "fissura/output/json.hpp"
+#include "fissura/concrete/kernels.hpp"
+#include "fissura/parallel/parallel.hpp"
+#include "fissura/sim/build_model.hpp"
+#include "fissura/sim/clock.hpp"
+#include "fissura/sim/fields.hpp"
+#include "fissura/sim/history.hpp"
+#include "fissura/sim/log.hpp"
+#include "fissura/sim/monitor.hpp"
+#include "fissura/sim/progress.hpp"
+#include "fissura/sim/state_hash.hpp"
+#include "fissura/sim/stops.hpp"
+#include "fissura/step/advance.hpp"
+
+namespace fissura::sim {
+
+using model::Model;
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+/// SIGINT and SIGTERM only raise a flag while a run goes on; the old handlers come back afterwards.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    interrupted = 0;
+    old_int_ = std::signal(SIGINT, interrupt);
+    old_term_ = std::signal(SIGTERM, interrupt);
+  }
+  ~SignalGuard() {
+    std::signal(SIGINT, old_int_);
+    std::signal(SIGTERM, old_term_);
+  }
+
+ private:
+  void (*old_int_)(int);
+  void (*old_term_)(int);
+};
+
+void make_folder(std::string const& folder, bool force) {
+  namespace fs = std::filesystem;
+  std::error_code ec;
+  if (fs::exists(folder, ec) && !force)
+    throw core::Error(core::Failure::io, fmt::format("{} exists already; choose another --out or add --force", folder));
+  if (force) {
+    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "frames", "log.txt", "case.toml"})
+      fs::remove_all(fs::path(folder) / old, ec);
+  }
+  fs::create_directories(folder, ec);
+  if (ec) throw core::Error(core::Failure::io, fmt::format("{}: cannot create the run folder: {}", folder, ec.message()));
+}
+
+double planned_time(Model const& m) {
+  if (m.source.run.end_time > 0) return m.source.run.end_time;
+  double sum = 0;
+  for (auto const& s : m.stages) sum += s.duration;
+  return sum;
+}
+
+/// One run from its first step to its last.
+class Run {
+ public:
+  Run(model::Case const& c, RunOptions const& options)
+      : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(make_log(options.quiet)),
+        m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_)), gauges_(m_),
+        stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
+        history_due_(c.output.history_every > 0 ? c.output.history_every : end_ / std::max(1, c.output.history_points)),
+        frame_due_(c.output.frames_every > 0 ? c.output.frames_every
+                                             : c.output.frames > 0 ? end_ / c.output.frames : 0) {
+    if (options.until > 0) end_ = std::min(end_, options.until);
+  }
+
+  RunResult go() {
+    open_folder();
+    describe();
+    SignalGuard const signals;
+    RunResult result{"complete", "end time reached", options_.out};
+    try {
+      loop(result);
+    } catch (core::Error const& e) {
+      if (e.failure == core::Failure::io) throw;
+      result = {"failed", e.what(), options_.out};
+    }
+    finish(result);
+    return result;
+  }
+
+ private:
+  void open_folder() {
+    make_folder(options_.out, options_.force);
+    log_to_file(*log_, options_.out + "/log.txt");
+    output::replace_file(options_.out + "/case.toml", options_.deck_echo);
+    history_ = std::make_unique<History>(options_.out + "/history.csv", m_, gauges_);
+    fields_ = std::make_unique<FieldWriter>(options_.out);
+  }
+
+  void describe() {
+    auto const& c = m_.source;
+    log_->info("fissura {}: {}", options_.version, c.title.empty() ? "untitled case" : c.title);
+    log_->info("mesh: {} tets, {} joints; mean size {:.4g} mm, smallest altitude {:.4g} mm", m_.tet_count(), m_.joint_count(),
+               report_.quality.mean_h * 1e3, report_.quality.smallest_altitude * 1e3);
+    if (!m_.bars.elements.empty())
+      log_->info("bars: {} elements, {} joints, {:.4g} m, {:.4g} kg of steel", m_.bars.elements.size(), m_.bars.joints.size(),
+                 report_.embedding.length(), report_.embedding.steel_mass());
+    if (m_.added_mass > 0)
+      log_->info("mass scaling adds {:.4g} kg to {:.4g} kg", m_.added_mass, m_.total_mass);
+    for (auto const& note : report_.notes) log_->info("{}", note);
+    for (auto const& warning : report_.warnings) log_->warn("{}", warning);
+    log_->info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}", m_.dt, m_.dt_limiter,
+               std::ceil(end_ / m_.dt), end_, threads_.count(), concrete::kernels().name);
+  }
+
+  bool reason_to_stop(RunResult& result) {
+    auto stop = [&](char const* status, std::string reason) {
+      result.status = status;
+      result.reason = std::move(reason);
+      return true;
+    };
+    if (interrupted) return stop("stopped", "interrupted by a signal");
+    if (options_.walltime > 0 && progress_.elapsed() > options_.walltime) return stop("stopped", "wall time used up");
+    if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps) return stop("stopped", "max_steps reached");
+    if (s_.time >= end_) {
+      if (options_.until > 0 && end_ < planned_time(m_)) return stop("stopped", "time of --until reached");
+      return true;
+    }
+    return false;
+  }
+
+  void loop(RunResult& result) {
+    while (!reason_to_stop(result)) {
+      double const time = s_.time;
+      bool const row = history_due_.at(time), frame = frame_due_.at(time) && !options_.out.empty();
+      bool const reading = row || s_.step % m_.source.run.energy_every == 0;
+      if (frame) fields_->write(m_, s_), frame_due_.done(time);
+      if (row) gauges_.read_state(m_, s_);
+      step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
+      if (!reading) continue;
+      if (auto const trouble = monitor_.take(energy_, m_, s_)) throw core::Error(core::Failure::run, *trouble);
+      if (row) {
+        write_row(time);
+        history_due_.done(time);
+        if (auto const met = stops_.met(gauges_)) {
+          result.reason = *met;
+          return;
+        }
+      }
+      change_stage();
+      show_progress();
+    }
+  }
+
+  void write_row(double time) {
+    gauges_.read_forces(m_, s_, time);
+    history_->row(time, m_, s_, gauges_, energy_, monitor_);
+  }
+
+  /// The next stage begins when the present one is over or has settled.
+  void change_stage() {
+    auto const& stage = m_.stages[s_.stage];
+    double const since = s_.time - s_.stage_start[s_.stage];
+    bool const quiet = stage.settle > 0 && energy_.internal() > 0 && energy_.kinetic < stage.settle * energy_.internal();
+    settled_ = quiet ? settled_ + 1 : 0;
+    if (since < stage.duration && settled_ < 3) return;
+    if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
+      if (settled_ >= 3) end_ = s_.time;
+      return;
+    }
+    settled_ = 0;
+    ++s_.stage;
+    s_.stage_start[s_.stage] = s_.time;
+    log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
+  }
+
+  void show_progress() {
+    bool const terminal = ::isatty(STDOUT_FILENO) && !options_.quiet;
+    if (!progress_.due(terminal ? 1 : 10)) return;
+    double const done = s_.time / end_, left = progress_.eta(done);
+    auto const joints = concrete::count_joints(m_, s_);
+    auto const bars = count_bars(s_.bars);
+    std::string const line =
+        fmt::format("{:5.1f} %  t = {:.4g} s  left {}  residual {:+.2g} %  joints damaged {} broken {}  bars yielded {} broken {}",
+                    100 * done, s_.time, left < 0 ? "?" : readable_duration(left), 100 * monitor_.residual(), joints.damaged,
+                    joints.broken, bars.yielded, bars.broken);
+    if (terminal)
+      fmt::print("\r{:<120}", line), std::fflush(stdout);
+    else
+      log_->info("{}", line);
+  }
+
+  void finish(RunResult const& result) {
+    if (::isatty(STDOUT_FILENO) && !options_.quiet) fmt::print("\n");
+    fields_->write(m_, s_);
+    history_->close();
+    write_summary(result);
+    double const ratio = monitor_.kinetic_ratio();
+    auto const level = result.status == "failed" ? spdlog::level::err : spdlog::level::info;
+    log_->log(level, "{}: {} (t = {:.5g} s, {} steps, {})", result.status, result.reason, s_.time, s_.step,
+              readable_duration(progress_.elapsed()));
+    log_->info("energy residual {:+.3g} %, largest kinetic/internal energy {:.3g}: {}", 100 * monitor_.residual(), ratio,
+               ratio < 0.05 ? "quasi-static" : "inertia matters (expected in dynamic cases; else load more slowly)");
+    if (monitor_.crossed_warning())
+      log_->warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before trusting the run",
+                 100 * m_.source.run.residual_warn);
+  }
+
+  void write_summary(RunResult const& result) {
+    auto const joints = concrete::count_joints(m_, s_);
+    auto const bars = count_bars(s_.bars);
+    double const wall = progress_.elapsed();
+    output::Json energy = output::Json::object();
+    for (auto const& [name, value] : energy_.accounts()) energy[std::string(name)] = value;
+    output::Json j = output::Json::object();
+    j["status"] = result.status;
+    j["reason"] = result.reason;
+    j["version"] = options_.version;
+    j["title"] = m_.source.title;
+    j["threads"] = threads_.count();
+    j["kernels"] = std::string(concrete::kernels().name);
+    j["tets"] = m_.tet_count();
+    j["joints"] = m_.joint_count();
+    j["bar_elements"] = m_.bars.elements.size();
+    j["bar_joints"] = m_.bars.joints.size();
+    j["dt"] = m_.dt;
+    j["steps"] = s_.step;
+    j["time"] = s_.time;
+    j["wall_seconds"] = wall;
+    j["tet_steps_per_second"] = static_cast<double>(s_.step) * m_.tet_count() / std::max(wall, 1e-9);
+    j["joints_damaged"] = joints.damaged;
+    j["joints_broken"] = joints.broken;
+    j["bar_joints_activated"] = bars.activated;
+    j["bar_joints_yielded"] = bars.yielded;
+    j["bars_broken"] = bars.broken;
+    j["energy"] = energy;
+    j["energy_residual"] = monitor_.residual();
+    j["max_kinetic_ratio"] = monitor_.kinetic_ratio();
+    j["state_hash"] = fmt::format("{:016x}", state_hash(m_, s_));
+    j["stable_dt_limiter"] = m_.dt_limiter;
+    j["added_mass"] = m_.added_mass;
+    j["total_mass"] = m_.total_mass;
+    output::write_json(options_.out + "/run.json", j);
+  }
+
+  RunOptions options_;
+  parallel::Threads threads_;
+  std::shared_ptr<spdlog::logger> log_;
+  BuildReport report_;
+  Model m_;
+  state::State s_;
+  state::Scratch w_;
+  Gauges gauges_;
+  Stops stops_;
+  Monitor monitor_;
+  Progress progress_;
+  double end_;
+  Due history_due_, frame_due_;
+  std::unique_ptr<History> history_;
+  std::unique_ptr<FieldWriter> fields_;
+  step::EnergyBalance energy_;
+  int settled_ = 0;
+};
+
+} // namespace
+
+RunResult run_case(model::Case const& c, RunOptions const& options) {
+  RunOptions o = options;
+  if (o.out.empty()) o.out = std::filesystem::path(c.deck_file).stem().string() + ".run";
+  if (std::filesystem::exists(o.out) && !o.force)
+    throw core::Error(core::Failure::io, fmt::format("{} exists already; choose another --out or add --force", o.out));
+  return Run(c, o).go();
+}
+
+} // namespace fissura::sim

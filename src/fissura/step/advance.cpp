@@ -1,0 +1,88 @@
+#include "fissura/step/advance.hpp"
+
+#include <cmath>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/loads/loads.hpp"
+#include "fissura/rebar/rebar.hpp"
+
+namespace fissura::step {
+
+using model::Model;
+using state::Scratch;
+using state::State;
+
+namespace {
+
+/// Closes the accounts of u_n for a reading, then books the work over u_n -> u_(n+1).
+void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::MotionEffects const& motion,
+                 EnergyBalance* reading) {
+  auto& l = s.ledger;
+  auto put_in = [&](double& account, double work) {
+    account += work;
+    l.absolute_work += std::abs(work);
+  };
+  l.viscous += sums.viscous;
+  l.mass_damping += sums.mass_damping;
+  l.local_damping += sums.local_damping + motion.local_damping;
+  put_in(l.work_supports, motion.work_done);
+  if (reading) {
+    reading->kinetic = sums.kinetic + motion.kinetic;
+    read_flows(*reading, m, s);
+  }
+  put_in(l.work_supports, motion.work_next);
+  put_in(l.work_gravity, sums.gravity + motion.gravity);
+  put_in(l.work_forces, loads::applied_work(m, s));
+}
+
+} // namespace
+
+void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
+  Vec3 const gravity = loads::gravity_at(m, s, s.time);
+  Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
+
+  concrete::joint_forces(m, s, w);      // F_conc,JE  Eqs. 13-19
+  rebar::bar_joint_forces(m, s, w);     // F_rc,JE    Eqs. 20-27
+  rebar::bar_forces(m, s, w);           // F_rc,FE    Eqs. 3-5
+  w.overlay.clear();
+  rebar::gather_bar_forces(m, w);       //            to the corners of the host tets
+  loads::applied_forces(m, s, w);       // F_ext
+  if (reading) *reading = read_stored(m, s);
+  auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
+      m, s, w, gravity, gravity_mean, reading != nullptr);
+  auto const motion = loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
+  post_energy(m, s, sums, motion, reading);
+
+  s.step += 1;
+  s.time = static_cast<double>(s.step) * m.dt;
+}
+
+State make_state(Model const& m) {
+  State s;
+  std::size_t const nodes = 4 * m.tets.blocks() * model::block, joints = m.joints.blocks() * model::block;
+  s.u = core::Buffer<double>(4 * nodes);
+  s.v = core::Buffer<double>(4 * nodes);
+  s.joint_status = core::Buffer<std::uint8_t>(joints);
+  s.joint_history = core::Buffer<state::JointHistory>(joints);
+  s.bars = rebar::make_bar_state(m.bars);
+  s.reaction.assign(m.prescribed.size(), 0);
+  s.prescribed_velocity.assign(m.prescribed.size(), 0);
+  s.stage_start.assign(m.stages.size(), 0);
+  return s;
+}
+
+Scratch make_scratch(Model const& m) {
+  Scratch w;
+  std::size_t const tets = m.tets.blocks() * model::block, joints = m.joints.blocks() * model::block;
+  w.joint_force = core::Buffer<double>(12 * joints + 16);
+  if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
+  w.overlay.tets = m.overlay_tets;
+  w.overlay.slot_of_tet.assign(tets, -1);
+  for (std::size_t i = 0; i < m.overlay_tets.size(); ++i) w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
+  w.overlay.force.assign(16 * m.overlay_tets.size(), 0);
+  w.bars = rebar::make_bar_scratch(m, w.overlay);
+  w.tet_sums.resize(4 * m.tets.blocks() + 1);
+  return w;
+}
+
+} // namespace fissura::step

@@ -1,0 +1,21 @@
+#pragma once
+// The largest time step of the central differences that is safe for a model.
+#include <string>
+
+#include "fissura/model/model.hpp"
+
+namespace fissura::step {
+
+struct StableStep {
+  double dt = 0;            ///< 2/omega with viscosity [s], without the safety factor
+  std::string limiter;      ///< what governs: which tet, and whether its own, joint or bar-joint stiffness leads
+  int tet = -1;             ///< the tet that governs
+  double omega = 0;         ///< bound of the highest frequency [rad/s]
+};
+
+/// Bound over tets, joints, bar joints and viscosity (MODEL section 1): the joints' and bars' stiffness is replaced by
+/// its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one block per tet; the frequency of
+/// a block is at most that of the tet alone plus its largest diagonal entry. Rigorous for small displacements.
+StableStep stable_step(model::Model const& m);
+
+} // namespace fissura::step
