@@ -1,5 +1,6 @@
 #pragma once
-// Reinforcement cut by the mesh into bar elements and bar joints: geometry and parameters, nothing that changes in time.
+// Reinforcement cut by the mesh into bar elements and bar joints: geometry and parameters, nothing that
+// changes in time.
 #include <array>
 #include <string>
 #include <vector>
@@ -20,12 +21,12 @@ struct BarProperties {
   double second_moment = 0;  ///< I_s = pi D^4/64 [m4]
   double initial_strain = 0; ///< eps_0 [-]
   CrackSpacing crack_spacing = CrackSpacing::automatic;
-  double l_cr = 0;           ///< [m] for CrackSpacing::given
+  double l_cr = 0; ///< [m] for CrackSpacing::given
   int copies = 1;
 };
 
-/// The straight piece of a bar inside one tet. Its ends P_0 and P_1 are carried by the tet: x = sum w_k x_k. They lie
-/// on the true axis of the bar, so a weight may be slightly negative (see docs/theory/bars.md).
+/// The straight piece of a bar inside one tet. Its ends P_0 and P_1 are carried by the tet: x = sum w_k x_k.
+/// They lie on the true axis of the bar, so a weight may be slightly negative (see docs/theory/bars.md).
 struct BarElement {
   int tet = -1;
   std::array<double, 4> w0{}, w1{}; ///< barycentric weights of P_0 and P_1 in the tet
@@ -39,23 +40,24 @@ struct BarElement {
 
 /// A face that the bar crosses at a bar joint (one of the faces C).
 struct FaceCrossing {
-  int shared_face = -1;            ///< index into Adjacency::shared
-  int joint = -1;                  ///< the joint between its two tets: joint_of_shared_face
-  std::array<double, 3> weights{}; ///< barycentric weights of the crossing, in the order of SharedFace::corner_a
-  double cosine = 0;               ///< |n.r| at t = 0
-  double h = 0;                    ///< edge of the regular tet with the mean volume of the two neighbours [m]
+  int shared_face = -1; ///< index into Adjacency::shared
+  int joint = -1;       ///< the joint between its two tets: joint_of_shared_face
+  std::array<double, 3>
+      weights{};     ///< barycentric weights of the crossing, in the order of SharedFace::corner_a
+  double cosine = 0; ///< |n.r| at t = 0
+  double h = 0;      ///< edge of the regular tet with the mean volume of the two neighbours [m]
 };
 
-/// Where a bar passes from the tet of elem_a (its end P_1) to that of elem_b (its end P_0). P_A and P_B coincide at
-/// t = 0. The two tets need not share a face.
+/// Where a bar passes from the tet of elem_a (its end P_1) to that of elem_b (its end P_0). P_A and P_B
+/// coincide at t = 0. The two tets need not share a face.
 struct BarJoint {
   int elem_a = -1, elem_b = -1;
   int tet_a = -1, tet_b = -1;
-  std::array<double, 4> w_a{}, w_b{};   ///< weights of P_A in tet_a and of P_B in tet_b
-  int faces_begin = 0, faces_end = 0;   ///< the faces C: Bars::faces[faces_begin .. faces_end)
-  double length_a = 0, length_b = 0;    ///< L_1, L_2: lengths of the bar inside tet_a and tet_b [m]
-  double h = 0;                         ///< mean element size of the faces C [m]
-  std::array<int, 2> frame_edge{0, 1};  ///< corners of tet_a whose edge fixes the transverse directions
+  std::array<double, 4> w_a{}, w_b{};  ///< weights of P_A in tet_a and of P_B in tet_b
+  int faces_begin = 0, faces_end = 0;  ///< the faces C: Bars::faces[faces_begin .. faces_end)
+  double length_a = 0, length_b = 0;   ///< L_1, L_2: lengths of the bar inside tet_a and tet_b [m]
+  double h = 0;                        ///< mean element size of the faces C [m]
+  std::array<int, 2> frame_edge{0, 1}; ///< corners of tet_a whose edge fixes the transverse directions
   int bar = -1, copy = 0;
 };
 
@@ -72,7 +74,7 @@ struct Bars {
   std::vector<BarElement> elements;      ///< by bar, copy and arc length
   std::vector<BarJoint> joints;          ///< in the same order
   std::vector<FaceCrossing> faces;
-  std::vector<BarJointLaw> joint_law;    ///< per joint; rebar::set_bar_joint_laws fills it in
+  std::vector<BarJointLaw> joint_law; ///< per joint; rebar::set_bar_joint_laws fills it in
   BarSettings settings;
 };
 

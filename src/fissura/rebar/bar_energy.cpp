@@ -5,7 +5,8 @@ namespace fissura::rebar {
 
 namespace {
 
-/// The share of an element's own stiffness that is left: an end at an activated joint has handed its half over.
+/// The share of an element's own stiffness that is left: an end at an activated joint has handed its half
+/// over.
 double share_left(model::Bars const& bars, state::BarState const& s, model::BarElement const& e) {
   if (bars.settings.between_cracks == model::BarBetweenCracks::elastic) return 1;
   double share = 1;

@@ -17,7 +17,8 @@ state::BarState make_bar_state(model::Bars const& bars) {
   return s;
 }
 
-void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                      std::size_t end) {
   Nodes const nodes{m.position.data(), s.u.data()};
   for (std::size_t i = begin; i < end; ++i) {
     auto const stretch = stretch_of(m.bars.elements[i], nodes);
@@ -26,12 +27,14 @@ void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w,
   }
 }
 
-void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                    std::size_t end) {
   bool const slip_only = m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only;
   for (std::size_t i = begin; i < end; ++i) {
     auto const& e = m.bars.elements[i];
     auto const& bar = m.bars.properties[e.bar];
-    double const own = bar.steel.E_s * bar.area * (s.bars.elongation[i] / e.length + bar.initial_strain); // Eqs. 4, 5
+    double const own =
+        bar.steel.E_s * bar.area * (s.bars.elongation[i] / e.length + bar.initial_strain); // Eqs. 4, 5
     auto const end_force = [&](int joint) {
       bool const cracked = slip_only && joint >= 0 && s.bars.is_activated(static_cast<std::size_t>(joint));
       return cracked ? w.bars.joint[static_cast<std::size_t>(joint)].axial : own;
@@ -43,8 +46,9 @@ void element_forces(model::Model const& m, state::State& s, state::Scratch& w, s
 }
 
 void bar_forces(model::Model const& m, state::State& s, state::Scratch& w) {
-  parallel::for_chunks(m.bars.elements.size(), 512,
-                       [&](std::size_t, std::size_t begin, std::size_t end) { element_forces(m, s, w, begin, end); });
+  parallel::for_chunks(m.bars.elements.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
+    element_forces(m, s, w, begin, end);
+  });
 }
 
 } // namespace fissura::rebar

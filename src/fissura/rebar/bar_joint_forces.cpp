@@ -14,8 +14,8 @@ namespace {
 class JointStep {
  public:
   JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
-      : m_(m), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars), i_(index),
-        nodes_{m.position.data(), s.u.data()}, out_(w.bars.joint[index]),
+      : m_(m), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
+        i_(index), nodes_{m.position.data(), s.u.data()}, out_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
     auto const a = static_cast<std::size_t>(joint_.elem_a), b = static_cast<std::size_t>(joint_.elem_b);
     jump_ = jump_of(joint_, w.bars.element[a].direction, w.bars.element[b].direction, nodes_);
@@ -27,7 +27,8 @@ class JointStep {
     auto& h = s_.history[i_];
     if (!h.activated && law_.crackable && some_face_separates()) {
       auto const& before = s_.motion[i_];
-      laws::activate(law_.activated, h, before.slip, {before.t_1, before.t_2, 0}, s_.joint_stress[i_], before.held);
+      laws::activate(law_.activated, h, before.slip, {before.t_1, before.t_2, 0}, s_.joint_stress[i_],
+                     before.held);
     }
     if (h.activated) {
       slide(h);
@@ -41,7 +42,8 @@ class JointStep {
   bool some_face_separates() const {
     for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
       auto const& face = m_.bars.faces[f];
-      if (separates(face, m_.adjacency.shared[face.shared_face], m_.joints.law[face.joint], nodes_)) return true;
+      if (separates(face, m_.adjacency.shared[face.shared_face], m_.joints.law[face.joint], nodes_))
+        return true;
     }
     return false;
   }
@@ -111,15 +113,18 @@ class JointStep {
 
 } // namespace
 
-void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end) {
+void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                  std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) JointStep(m, s, w, i).advance();
 }
 
 void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w) {
-  parallel::for_chunks(m.bars.elements.size(), 512,
-                       [&](std::size_t, std::size_t begin, std::size_t end) { stretch_elements(m, s, w, begin, end); });
-  parallel::for_chunks(m.bars.joints.size(), 128,
-                       [&](std::size_t, std::size_t begin, std::size_t end) { joint_forces(m, s, w, begin, end); });
+  parallel::for_chunks(m.bars.elements.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
+    stretch_elements(m, s, w, begin, end);
+  });
+  parallel::for_chunks(m.bars.joints.size(), 128, [&](std::size_t, std::size_t begin, std::size_t end) {
+    joint_forces(m, s, w, begin, end);
+  });
 }
 
 } // namespace fissura::rebar

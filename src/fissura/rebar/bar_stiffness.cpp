@@ -9,7 +9,9 @@ namespace {
 
 using Weights = std::array<double, 4>;
 
-double sum_of_sizes(Weights const& w) { return std::abs(w[0]) + std::abs(w[1]) + std::abs(w[2]) + std::abs(w[3]); }
+double sum_of_sizes(Weights const& w) {
+  return std::abs(w[0]) + std::abs(w[1]) + std::abs(w[2]) + std::abs(w[3]);
+}
 
 Weights middle(model::BarElement const& e) {
   Weights w;
@@ -44,8 +46,10 @@ void add_bar_stiffness(model::Bars const& bars, std::span<double> stiffness) {
     auto const& j = bars.joints[i];
     auto const& law = bars.joint_law[i];
     double const slip = law.crackable ? laws::bar_joint_stiffness_bound(law.activated) : 0;
-    double const dowel = law.crackable && bars.settings.dowel ? laws::dowel_stiffness_bound(law.activated.dowel) : 0;
-    // At P: the intact joint and the dowel. The slip spring reaches from the middle of one element to that of the other.
+    double const dowel =
+        law.crackable && bars.settings.dowel ? laws::dowel_stiffness_bound(law.activated.dowel) : 0;
+    // At P: the intact joint and the dowel. The slip spring reaches from the middle of one element to that of
+    // the other.
     double const at_p = std::max({law.intact.stiffness_bound(), dowel, slip_only ? 0 : slip});
     double const at_middle = slip_only ? slip : 0;
     Weights const mid_a = middle(bars.elements[j.elem_a]), mid_b = middle(bars.elements[j.elem_b]);

@@ -18,7 +18,8 @@ namespace fissura::rebar {
 namespace {
 
 model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::SteelSpec const> steels) {
-  auto const steel = std::find_if(steels.begin(), steels.end(), [&](auto const& s) { return s.name == bar.steel; });
+  auto const steel =
+      std::find_if(steels.begin(), steels.end(), [&](auto const& s) { return s.name == bar.steel; });
   if (steel == steels.end())
     throw core::InputError(bar.place, fmt::format("bar '{}': there is no steel '{}'", bar.name, bar.steel));
   model::BarProperties p;
@@ -27,7 +28,8 @@ model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::S
   p.diameter = bar.diameter > 0 ? bar.diameter : std::sqrt(4 * bar.area / std::numbers::pi);
   p.area = bar.area > 0 ? bar.area : std::numbers::pi / 4 * bar.diameter * bar.diameter;
   if (!(p.area > 0))
-    throw core::InputError(bar.place, fmt::format("bar '{}' needs a diameter or an area above zero", bar.name));
+    throw core::InputError(bar.place,
+                           fmt::format("bar '{}' needs a diameter or an area above zero", bar.name));
   p.second_moment = std::numbers::pi / 64 * std::pow(p.diameter, 4);
   p.initial_strain = bar.initial_strain;
   p.crack_spacing = bar.crack_spacing;
@@ -39,7 +41,8 @@ model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::S
 /// Builds the elements and joints of one copy of one bar.
 class Builder {
  public:
-  Builder(TraceContext const& c, std::span<int const> joint_of, model::Bars& bars) : c_(c), joint_of_(joint_of), bars_(bars) {}
+  Builder(TraceContext const& c, std::span<int const> joint_of, model::Bars& bars)
+      : c_(c), joint_of_(joint_of), bars_(bars) {}
 
   void add(Polyline const& line, Chain const& chain, int bar, int copy) {
     bar_ = bar, copy_ = copy;
@@ -84,7 +87,8 @@ class Builder {
     bars_.elements.push_back(e);
   }
 
-  void add_joint(int elem_a, int elem_b, Piece const& a, Piece const& b, std::vector<Crossed> const& crossed) {
+  void add_joint(int elem_a, int elem_b, Piece const& a, Piece const& b,
+                 std::vector<Crossed> const& crossed) {
     model::BarJoint j;
     j.faces_begin = static_cast<int>(bars_.faces.size());
     for (auto const& face : crossed)
@@ -152,7 +156,8 @@ void check_length(model::Bars const& bars, std::size_t first, double length) {
     at += bars.elements[e].length;
   }
   if (std::abs(at - length) > 1e-9 * length)
-    throw core::Error(core::Failure::run, fmt::format("embedding kept {:.9g} m of {:.9g} m of a bar", at, length));
+    throw core::Error(core::Failure::run,
+                      fmt::format("embedding kept {:.9g} m of {:.9g} m of a bar", at, length));
 }
 
 void account(BarReport& r, model::Bars const& bars, std::size_t first_element, std::size_t first_joint) {
@@ -190,25 +195,31 @@ void warn(Embedding& out, int bar) {
     largest_h = std::max(largest_h, j.h);
   }
   if (hanging > 0)
-    out.warnings.push_back(fmt::format("bar '{}': {} of {} bar elements hang on one node (barycentric weight up to {:.2f}, "
-                                       "more than 0.9) and may be torn out; move the bar off the edges of the mesh",
-                                       p.name, hanging, elements, largest_weight));
+    out.warnings.push_back(
+        fmt::format("bar '{}': {} of {} bar elements hang on one node (barycentric weight up to {:.2f}, "
+                    "more than 0.9) and may be torn out; move the bar off the edges of the mesh",
+                    p.name, hanging, elements, largest_weight));
   if (long_cracks > 0)
-    out.warnings.push_back(fmt::format("bar '{}': l_cr reaches {:.3g} m, more than 10 D = {:.3g} m, at {} of {} bar "
-                                       "joints; use a finer mesh",
-                                       p.name, largest_l, 10 * p.diameter, long_cracks, joints));
+    out.warnings.push_back(
+        fmt::format("bar '{}': l_cr reaches {:.3g} m, more than 10 D = {:.3g} m, at {} of {} bar "
+                    "joints; use a finer mesh",
+                    p.name, largest_l, 10 * p.diameter, long_cracks, joints));
   if (largest_h > 20 * p.diameter)
-    out.warnings.push_back(fmt::format("bar '{}': element size up to {:.3g} m, more than 20 D = {:.3g} m; use a finer mesh",
-                                       p.name, largest_h, 20 * p.diameter));
+    out.warnings.push_back(
+        fmt::format("bar '{}': element size up to {:.3g} m, more than 20 D = {:.3g} m; use a finer mesh",
+                    p.name, largest_h, 20 * p.diameter));
 }
 
 } // namespace
 
 double crack_length(model::BarProperties const& bar, model::BarJoint const& joint) {
   switch (bar.crack_spacing) {
-  case model::CrackSpacing::given: return bar.l_cr;
-  case model::CrackSpacing::element_size: return joint.h / 2;
-  case model::CrackSpacing::automatic: break;
+  case model::CrackSpacing::given:
+    return bar.l_cr;
+  case model::CrackSpacing::element_size:
+    return joint.h / 2;
+  case model::CrackSpacing::automatic:
+    break;
   }
   return (joint.length_a + joint.length_b) / 4;
 }
@@ -225,8 +236,9 @@ double EmbeddingReport::steel_mass() const {
   return sum;
 }
 
-Embedding embed_bars(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency, std::span<model::BarSpec const> specs,
-                     std::span<model::SteelSpec const> steels, std::span<int const> joint_of_shared_face) {
+Embedding embed_bars(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency,
+                     std::span<model::BarSpec const> specs, std::span<model::SteelSpec const> steels,
+                     std::span<int const> joint_of_shared_face) {
   Embedding out;
   if (specs.empty()) return out;
   TetGrid const grid(mesh);

@@ -41,7 +41,8 @@ state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& 
   for (auto const& [tet, entry] : entries_of(m.bars)) {
     if (w.hosts.empty() || w.hosts.back().tet != tet) {
       int const slot = overlay.slot_of_tet[tet];
-      if (slot < 0) throw core::Error(core::Failure::run, fmt::format("tet {} holds a bar but no overlay slot", tet));
+      if (slot < 0)
+        throw core::Error(core::Failure::run, fmt::format("tet {} holds a bar but no overlay slot", tet));
       w.hosts.push_back({tet, slot, static_cast<int>(w.entries.size()), 0});
     }
     w.entries.push_back(entry);

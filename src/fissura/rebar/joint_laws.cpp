@@ -57,11 +57,11 @@ model::BarJointLaw law_of(model::Model const& m, model::BarJoint const& j) {
   model::BarJointLaw law;
   law.crackable = series.crackable;
   law.prestress = bar.steel.E_s * bar.initial_strain;
-  law.intact = laws::uncracked_bar_joint(bar.steel.E_s / concrete.E, 1, series.compliance, series.f_t, bar.area,
-                                         series.crackable);
+  law.intact = laws::uncracked_bar_joint(bar.steel.E_s / concrete.E, 1, series.compliance, series.f_t,
+                                         bar.area, series.crackable);
   if (law.crackable)
-    law.activated = laws::make_bar_joint_params({bar.diameter, bar.area, steel_params(bar.steel), concrete.f_c,
-                                                 crack_length(bar, j), m.bars.settings.dowel});
+    law.activated = laws::make_bar_joint_params({bar.diameter, bar.area, steel_params(bar.steel),
+                                                 concrete.f_c, crack_length(bar, j), m.bars.settings.dowel});
   return law;
 }
 

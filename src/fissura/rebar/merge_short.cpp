@@ -66,7 +66,9 @@ class Slivers {
 
   void drop(int i) {
     int const a = before_[i], b = after_[i];
-    double const middle = a < 0 ? pieces_[i].begin : b < 0 ? pieces_[i].end : 0.5 * (pieces_[i].begin + pieces_[i].end);
+    double const middle = a < 0   ? pieces_[i].begin
+                          : b < 0 ? pieces_[i].end
+                                  : 0.5 * (pieces_[i].begin + pieces_[i].end);
     unlink(i);
     for (int k : {a, b})
       if (k >= 0) forget(k);
@@ -90,7 +92,8 @@ class Slivers {
 
   std::vector<Piece> pieces_;
   std::vector<std::vector<Crossed>> crossed_;
-  std::vector<Crossed> tail_, head_; // faces between the last piece left and the end of the bar, and on to the first
+  std::vector<Crossed> tail_,
+      head_; // faces between the last piece left and the end of the bar, and on to the first
   std::vector<int> before_, after_;
   std::vector<double> limit_;
   std::set<std::tuple<double, int>> short_;
@@ -125,7 +128,8 @@ Chain merge_short(mesh::Mesh const& mesh, Chain const& chain) {
 void snap_to_kinks(mesh::Mesh const& mesh, Polyline const& line, Chain& chain) {
   for (std::size_t i = 1; i < chain.pieces.size(); ++i) {
     Piece &a = chain.pieces[i - 1], &b = chain.pieces[i];
-    double const size_a = shortest_piece * cell_size(mesh, a.tet), size_b = shortest_piece * cell_size(mesh, b.tet);
+    double const size_a = shortest_piece * cell_size(mesh, a.tet),
+                 size_b = shortest_piece * cell_size(mesh, b.tet);
     for (int k = 1; k < line.segments(); ++k) {
       double const s = line.arc[k];
       if (std::abs(s - a.end) > std::min(size_a, size_b)) continue;

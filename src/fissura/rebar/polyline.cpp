@@ -38,13 +38,16 @@ int starting_point(mesh::LineGroup const& group, std::map<int, std::vector<int>>
 
 } // namespace
 
-std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& group, core::Place const& place) {
-  if (group.segments.empty()) throw core::InputError(place, fmt::format("curve '{}' has no segments", group.name));
+std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& group,
+                                 core::Place const& place) {
+  if (group.segments.empty())
+    throw core::InputError(place, fmt::format("curve '{}' has no segments", group.name));
   auto const at = segments_at_points(group);
   for (auto const& [p, segments] : at)
     if (segments.size() > 2)
-      throw core::InputError(place, fmt::format("curve '{}' branches at ({:g}, {:g}, {:g}) m; a bar needs one line",
-                                                group.name, mesh.points[p].x, mesh.points[p].y, mesh.points[p].z));
+      throw core::InputError(place,
+                             fmt::format("curve '{}' branches at ({:g}, {:g}, {:g}) m; a bar needs one line",
+                                         group.name, mesh.points[p].x, mesh.points[p].y, mesh.points[p].z));
   std::vector<char> used(group.segments.size(), 0);
   std::vector<Vec3> points;
   int p = starting_point(group, at);
@@ -53,7 +56,8 @@ std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& 
     auto const& around = at.at(p);
     auto const next = std::find_if(around.begin(), around.end(), [&](int s) { return !used[s]; });
     if (next == around.end())
-      throw core::InputError(place, fmt::format("curve '{}' falls into several lines; a bar needs one line", group.name));
+      throw core::InputError(
+          place, fmt::format("curve '{}' falls into several lines; a bar needs one line", group.name));
     used[*next] = 1;
     auto const& s = group.segments[*next];
     p = s[0] == p ? s[1] : s[0];
@@ -70,8 +74,8 @@ std::vector<Vec3> axis_points(model::BarSpec const& bar, mesh::Mesh const& mesh)
     if (group.name == bar.curve) return ordered_points(mesh, group, bar.place);
   std::string known;
   for (auto const& group : mesh.line_groups) known += (known.empty() ? "" : ", ") + group.name;
-  throw core::InputError(bar.place, fmt::format("bar '{}': the mesh has no curve '{}' (it has: {})", bar.name, bar.curve,
-                                                known.empty() ? "none" : known));
+  throw core::InputError(bar.place, fmt::format("bar '{}': the mesh has no curve '{}' (it has: {})", bar.name,
+                                                bar.curve, known.empty() ? "none" : known));
 }
 
 } // namespace
@@ -83,12 +87,14 @@ Polyline polyline_of(model::BarSpec const& bar, mesh::Mesh const& mesh, int copy
   Vec3 const offset = static_cast<double>(copy) * bar.spacing;
   for (Vec3 p : points) {
     p += offset;
-    if (!line.points.empty() && norm(p - line.points.back()) == 0) continue; // a repeated point adds no length
+    if (!line.points.empty() && norm(p - line.points.back()) == 0)
+      continue; // a repeated point adds no length
     line.arc.push_back(line.points.empty() ? 0 : line.arc.back() + norm(p - line.points.back()));
     line.points.push_back(p);
   }
   if (line.points.size() < 2)
-    throw core::InputError(bar.place, fmt::format("bar '{}' has no length: it needs two different points", bar.name));
+    throw core::InputError(bar.place,
+                           fmt::format("bar '{}' has no length: it needs two different points", bar.name));
   line.closed = line.points.size() > 2 && line.points.front() == line.points.back();
   return line;
 }

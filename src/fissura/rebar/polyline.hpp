@@ -21,10 +21,11 @@ struct Polyline {
   int segment_at(double s) const;
 };
 
-/// The points of a line group of the mesh in the order in which they follow each other, starting at the end that
-/// comes first in the group; a closed loop repeats its first point. Throws core::InputError where the group
-/// branches or falls into several lines.
-std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& group, core::Place const& place);
+/// The points of a line group of the mesh in the order in which they follow each other, starting at the end
+/// that comes first in the group; a closed loop repeats its first point. Throws core::InputError where the
+/// group branches or falls into several lines.
+std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& group,
+                                 core::Place const& place);
 
 /// The axis of copy number `copy` of a bar (its points or its curve, moved by copy x spacing). Throws
 /// core::InputError at bar.place where the curve does not exist or the axis has no length.

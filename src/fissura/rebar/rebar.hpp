@@ -1,7 +1,8 @@
 #pragma once
-// The reinforcement's terms of Eq. (2): bar joints (F_rc,JE, Eqs. 20-27), bar elements (F_rc,FE, Eqs. 3-5), their
-// energy and their share in the stable step. Theory: docs/theory/bars.md. Every pass writes each result once, from
-// one index: the same bits on any number of threads. Nothing here allocates after make_bar_scratch.
+// The reinforcement's terms of Eq. (2): bar joints (F_rc,JE, Eqs. 20-27), bar elements (F_rc,FE, Eqs. 3-5),
+// their energy and their share in the stable step. Theory: docs/theory/bars.md. Every pass writes each result
+// once, from one index: the same bits on any number of threads. Nothing here allocates after
+// make_bar_scratch.
 #include <cstddef>
 #include <span>
 
@@ -11,9 +12,9 @@
 
 namespace fissura::rebar {
 
-/// Fills in Bars::joint_law and Bars::settings from the concretes, the joints' laws and the bar settings of the model;
-/// call once after embedding, when mesh, material_of_tet, joints and bars of the model are there. Throws
-/// core::InputError at the bar's place for parameters the laws refuse.
+/// Fills in Bars::joint_law and Bars::settings from the concretes, the joints' laws and the bar settings of
+/// the model; call once after embedding, when mesh, material_of_tet, joints and bars of the model are there.
+/// Throws core::InputError at the bar's place for parameters the laws refuse.
 void set_bar_joint_laws(model::Model& m);
 
 /// All bars at rest.
@@ -29,10 +30,14 @@ void bar_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// Adds the forces of elements and joints to the overlay, tet by tet in a fixed order.
 void gather_bar_forces(model::Model const& m, state::Scratch& w);
 
-// ---- the same over index ranges ---------------------------------------------------------------------------------
-void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end);
-void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end);
-void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin, std::size_t end);
+// ---- the same over index ranges
+// ---------------------------------------------------------------------------------
+void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                      std::size_t end);
+void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                  std::size_t end);
+void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                    std::size_t end);
 /// Range over BarScratch::hosts.
 void gather(model::Model const& m, state::Scratch& w, std::size_t begin, std::size_t end);
 
@@ -46,9 +51,9 @@ struct BarEnergy {
 };
 BarEnergy bar_energy(model::Bars const& bars, state::BarState const& state);
 
-/// Adds to stiffness[4 tet + corner] [N/m] what the bars contribute to sum_a of omega^2 = (2/m_a) sum_a: lambda_a k_b
-/// of the bar joints, k_b = max of the intact and of the activated stiffness, and of the bar elements half the row sum
-/// of their stiffness matrix.
+/// Adds to stiffness[4 tet + corner] [N/m] what the bars contribute to sum_a of omega^2 = (2/m_a) sum_a:
+/// lambda_a k_b of the bar joints, k_b = max of the intact and of the activated stiffness, and of the bar
+/// elements half the row sum of their stiffness matrix.
 void add_bar_stiffness(model::Bars const& bars, std::span<double> stiffness);
 
 } // namespace fissura::rebar

@@ -11,8 +11,12 @@ struct Box {
   Vec3 low, high;
 };
 
-Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+Vec3 min(Vec3 a, Vec3 b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3 max(Vec3 a, Vec3 b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
 
 Box box_of(std::array<Vec3, 4> const& x) {
   return {min(min(x[0], x[1]), min(x[2], x[3])), max(max(x[0], x[1]), max(x[2], x[3]))};
@@ -27,8 +31,7 @@ std::array<int, 3> TetGrid::cell_of(Vec3 p) const {
   return c;
 }
 
-template <class Visit>
-void TetGrid::for_cells(Vec3 low, Vec3 high, Visit const& visit) const {
+template <class Visit> void TetGrid::for_cells(Vec3 low, Vec3 high, Visit const& visit) const {
   auto const a = cell_of(low), b = cell_of(high);
   for (int k = a[2]; k <= b[2]; ++k)
     for (int j = a[1]; j <= b[1]; ++j)
@@ -64,8 +67,9 @@ std::vector<int> TetGrid::near_segment(Vec3 a, Vec3 b, double margin) const {
   Vec3 const m{margin, margin, margin};
   for (int s = 0; s < steps; ++s) {
     Vec3 const p = a + (static_cast<double>(s) / steps) * (b - a), q = a + ((s + 1.0) / steps) * (b - a);
-    for_cells(min(p, q) - m, max(p, q) + m,
-              [&](int c) { found.insert(found.end(), tet_.begin() + start_[c], tet_.begin() + start_[c + 1]); });
+    for_cells(min(p, q) - m, max(p, q) + m, [&](int c) {
+      found.insert(found.end(), tet_.begin() + start_[c], tet_.begin() + start_[c + 1]);
+    });
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

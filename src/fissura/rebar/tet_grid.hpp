@@ -17,8 +17,7 @@ class TetGrid {
 
  private:
   std::array<int, 3> cell_of(Vec3 p) const;
-  template <class Visit>
-  void for_cells(Vec3 low, Vec3 high, Visit const& visit) const;
+  template <class Visit> void for_cells(Vec3 low, Vec3 high, Visit const& visit) const;
 
   Vec3 low_, high_;
   double cell_ = 1;

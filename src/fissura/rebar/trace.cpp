@@ -18,8 +18,9 @@ double cell_size(mesh::Mesh const& mesh, int tet) {
 
 namespace {
 
-constexpr double shift_1 = 1e-4, shift_2 = 0.618e-4; // of the local cell size; their ratio avoids common planes
-constexpr double gap_allowed = 1e-3;                 // of the local cell size: the shifted line may miss an oblique end
+constexpr double shift_1 = 1e-4,
+                 shift_2 = 0.618e-4; // of the local cell size; their ratio avoids common planes
+constexpr double gap_allowed = 1e-3; // of the local cell size: the shifted line may miss an oblique end
 
 /// One straight segment of a bar and the tets that may hold a part of it.
 struct Segment {
@@ -95,9 +96,10 @@ std::vector<Piece> trace_segment(TraceContext const& c, Segment const& s, std::s
     furthest = std::max(furthest, a.covered);
   }
   Vec3 const p = s.from + (furthest / s.length) * (s.to - s.from);
-  throw core::InputError(place, fmt::format("bar '{}' leaves the concrete at ({:.6g}, {:.6g}, {:.6g}) m; every point "
-                                            "of a bar must lie in the mesh",
-                                            name, p.x, p.y, p.z));
+  throw core::InputError(
+      place, fmt::format("bar '{}' leaves the concrete at ({:.6g}, {:.6g}, {:.6g}) m; every point "
+                         "of a bar must lie in the mesh",
+                         name, p.x, p.y, p.z));
 }
 
 /// Largest distance [m] by which p lies beyond a face of the tet; negative inside.
@@ -116,7 +118,9 @@ std::vector<int> faces_between(TraceContext const& c, int a, int b, Vec3 p, std:
     int tet, face, before; // face: the shared face through which the tet was reached from steps[before]
   };
   std::vector<Step> steps{{a, -1, -1}};
-  auto reached = [&](int t) { return std::any_of(steps.begin(), steps.end(), [&](Step const& s) { return s.tet == t; }); };
+  auto reached = [&](int t) {
+    return std::any_of(steps.begin(), steps.end(), [&](Step const& s) { return s.tet == t; });
+  };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].tet == b) {
       std::vector<int> way;
@@ -133,15 +137,16 @@ std::vector<int> faces_between(TraceContext const& c, int a, int b, Vec3 p, std:
         steps.push_back({other, face, static_cast<int>(i)});
     }
   }
-  throw core::InputError(place, fmt::format("bar '{}' passes at ({:.6g}, {:.6g}, {:.6g}) m between two bodies that "
-                                            "touch but share no faces; join their meshes there",
-                                            name, p.x, p.y, p.z));
+  throw core::InputError(place,
+                         fmt::format("bar '{}' passes at ({:.6g}, {:.6g}, {:.6g}) m between two bodies that "
+                                     "touch but share no faces; join their meshes there",
+                                     name, p.x, p.y, p.z));
 }
 
 namespace {
 
-std::vector<Crossed> crossings(TraceContext const& c, int a, int b, Vec3 p, Vec3 direction, std::string const& name,
-                               core::Place const& place) {
+std::vector<Crossed> crossings(TraceContext const& c, int a, int b, Vec3 p, Vec3 direction,
+                               std::string const& name, core::Place const& place) {
   std::vector<Crossed> out;
   for (int face : faces_between(c, a, b, p, name, place)) out.push_back({face, p, direction});
   return out;

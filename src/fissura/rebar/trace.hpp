@@ -25,9 +25,9 @@ struct Crossed {
   Vec3 direction; ///< unit vector along the bar there
 };
 
-/// A chain of pieces; the first begins at 0, the last ends at the bar's length, each begins where the one before
-/// ends. Consecutive pieces are in different tets. crossed[i]: the faces between piece i - 1 and piece i; crossed[0]
-/// those between the last piece and the first of a closed bar (of no meaning otherwise).
+/// A chain of pieces; the first begins at 0, the last ends at the bar's length, each begins where the one
+/// before ends. Consecutive pieces are in different tets. crossed[i]: the faces between piece i - 1 and piece
+/// i; crossed[0] those between the last piece and the first of a closed bar (of no meaning otherwise).
 struct Chain {
   std::vector<Piece> pieces;
   std::vector<std::vector<Crossed>> crossed;
@@ -43,14 +43,17 @@ struct TraceContext {
 /// Local cell size [m]: edge of the regular tet with the volume of tet `tet`.
 double cell_size(mesh::Mesh const& mesh, int tet);
 
-/// All tets that the bar passes. The search line is shifted normal to the bar by 1e-4 and 0.618e-4 of the smallest
-/// cell near it, so that a bar along edges or faces of the mesh has a unique tet everywhere; of the eight ways to
-/// shift it the first that stays inside the concrete is taken, so a bar may lie on the surface. Throws
-/// core::InputError at `place` where the bar is outside the concrete, with the coordinates where it leaves.
-Chain trace(TraceContext const& context, Polyline const& line, std::string const& name, core::Place const& place);
+/// All tets that the bar passes. The search line is shifted normal to the bar by 1e-4 and 0.618e-4 of the
+/// smallest cell near it, so that a bar along edges or faces of the mesh has a unique tet everywhere; of the
+/// eight ways to shift it the first that stays inside the concrete is taken, so a bar may lie on the surface.
+/// Throws core::InputError at `place` where the bar is outside the concrete, with the coordinates where it
+/// leaves.
+Chain trace(TraceContext const& context, Polyline const& line, std::string const& name,
+            core::Place const& place);
 
-/// The faces on a shortest way from tet a to tet b through tets that hold p (within 1 % of their size); empty where
-/// a = b. Throws core::InputError where there is no such way: the two tets belong to bodies that only touch.
+/// The faces on a shortest way from tet a to tet b through tets that hold p (within 1 % of their size); empty
+/// where a = b. Throws core::InputError where there is no such way: the two tets belong to bodies that only
+/// touch.
 std::vector<int> faces_between(TraceContext const& context, int a, int b, Vec3 p, std::string const& name,
                                core::Place const& place);
 

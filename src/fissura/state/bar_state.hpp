@@ -1,6 +1,7 @@
 #pragma once
-// What changes in time in the reinforcement: histories, accounts and the last computed values of bar elements and bar
-// joints, one entry per element or joint of model::Bars. BarState is all that a checkpoint holds of the bars.
+// What changes in time in the reinforcement: histories, accounts and the last computed values of bar elements
+// and bar joints, one entry per element or joint of model::Bars. BarState is all that a checkpoint holds of
+// the bars.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +21,11 @@ struct BarJointAccount {
 
 /// A bar joint as it moved last: what activation needs to know of the step before.
 struct BarJointMotion {
-  double axial = 0;      ///< d.r [m]
-  double slip = 0;       ///< S, from t = 0 [m]
+  double axial = 0;        ///< d.r [m]
+  double slip = 0;         ///< S, from t = 0 [m]
   double t_1 = 0, t_2 = 0; ///< half transverse jump in the joint's own directions, from t = 0 [m]
-  double held = 0;       ///< while intact: energy of the joint and of the element halves that activation hands to it [J]
+  double held =
+      0; ///< while intact: energy of the joint and of the element halves that activation hands to it [J]
 };
 
 struct BarState {
@@ -52,9 +54,9 @@ struct BarScratch {
     Vec3 force;     ///< N times direction: on P_0, its opposite on P_1 [N]
   };
   struct Joint {
-    Vec3 force;                       ///< on tet_a, its opposite on tet_b [N]
+    Vec3 force;                         ///< on tet_a, its opposite on tet_b [N]
     std::array<double, 4> w_a{}, w_b{}; ///< weights of the point of attack in both tets as they are now
-    double axial = 0;                 ///< sigma A_s [N]
+    double axial = 0;                   ///< sigma A_s [N]
   };
   /// One force that acts on a host tet.
   struct Entry {

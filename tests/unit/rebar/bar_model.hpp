@@ -34,13 +34,14 @@ struct BarModel {
     s.bars = rebar::make_bar_state(m.bars);
     w.overlay.tets = rebar::host_tets(m.bars);
     w.overlay.slot_of_tet.assign(m.mesh.tets.size(), -1);
-    for (std::size_t i = 0; i < w.overlay.tets.size(); ++i) w.overlay.slot_of_tet[w.overlay.tets[i]] = static_cast<int>(i);
+    for (std::size_t i = 0; i < w.overlay.tets.size(); ++i)
+      w.overlay.slot_of_tet[w.overlay.tets[i]] = static_cast<int>(i);
     w.overlay.force.assign(16 * w.overlay.tets.size(), 0);
     w.bars = rebar::make_bar_scratch(m, w.overlay);
   }
 
-  /// Moves every corner of every tet to X + displacement(tet, X), computes the forces, and adds the work done over the
-  /// way there, by the trapezoidal rule, to `work`.
+  /// Moves every corner of every tet to X + displacement(tet, X), computes the forces, and adds the work done
+  /// over the way there, by the trapezoidal rule, to `work`.
   void move(std::function<Vec3(int, Vec3)> const& displacement) {
     std::vector<double> const u_before(s.u.begin(), s.u.end());
     auto const force_before = w.overlay.force;
@@ -53,7 +54,8 @@ struct BarModel {
     for (std::size_t slot = 0; slot < w.overlay.tets.size(); ++slot)
       for (std::size_t k = 0; k < 16; ++k) {
         std::size_t const dof = 16 * static_cast<std::size_t>(w.overlay.tets[slot]) + k;
-        work -= 0.5 * (force_before[16 * slot + k] + w.overlay.force[16 * slot + k]) * (s.u[dof] - u_before[dof]);
+        work -=
+            0.5 * (force_before[16 * slot + k] + w.overlay.force[16 * slot + k]) * (s.u[dof] - u_before[dof]);
       }
   }
 
@@ -64,7 +66,8 @@ struct BarModel {
     rebar::gather_bar_forces(m, w);
   }
 
-  /// Resultant force and moment about the origin of all corner forces; the last entry is the sum of their sizes.
+  /// Resultant force and moment about the origin of all corner forces; the last entry is the sum of their
+  /// sizes.
   struct Resultant {
     Vec3 force, moment;
     double size = 0;
@@ -114,13 +117,19 @@ struct BarModel {
   }
 };
 
-/// Two tets on both sides of a triangle near the plane x = 0; the corner on side b lies at x = +size, on side a at -size.
+/// Two tets on both sides of a triangle near the plane x = 0; the corner on side b lies at x = +size, on side
+/// a at -size.
 inline mesh::Mesh two_tets(double size, double tilt = 0) {
   mesh::Mesh m;
-  m.points = {{-size, 0, 0}, {size, 0, 0}, {tilt * size, size, 0}, {0, -0.5 * size, 0.87 * size}, {0, -0.5 * size, -0.87 * size}};
+  m.points = {{-size, 0, 0},
+              {size, 0, 0},
+              {tilt * size, size, 0},
+              {0, -0.5 * size, 0.87 * size},
+              {0, -0.5 * size, -0.87 * size}};
   m.tets = {{0, 2, 3, 4}, {1, 2, 4, 3}};
   for (auto& t : m.tets)
-    if (geometry::volume({m.points[t[0]], m.points[t[1]], m.points[t[2]], m.points[t[3]]}) < 0) std::swap(t[2], t[3]);
+    if (geometry::volume({m.points[t[0]], m.points[t[1]], m.points[t[2]], m.points[t[3]]}) < 0)
+      std::swap(t[2], t[3]);
   m.tet_group = {0, 0};
   m.volume_groups = {"concrete"};
   m.input_id = {0, 1};

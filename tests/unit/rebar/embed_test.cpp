@@ -31,7 +31,8 @@ void expect_whole(Embedded const& e, double length, double area) {
   EXPECT_NEAR(e.embedding.report.steel_mass(), mass, 1e-9 * mass);
 }
 
-/// Neighbouring elements in different tets have one joint between them, whose faces lead from one tet to the other.
+/// Neighbouring elements in different tets have one joint between them, whose faces lead from one tet to the
+/// other.
 void expect_joined(Embedded const& e) {
   auto const& bars = e.bars();
   for (std::size_t i = 1; i < bars.elements.size(); ++i) {
@@ -62,7 +63,8 @@ void expect_no_slivers(Embedded const& e) {
 
 double const area = std::numbers::pi * 1e-4; // of a 20 mm bar
 
-// A bar along edges of a Kuhn mesh has one element per cell, keeps its length and mass, and warns that it hangs on nodes.
+// A bar along edges of a Kuhn mesh has one element per cell, keeps its length and mass, and warns that it
+// hangs on nodes.
 TEST(Embed, BarAlongMeshEdges) {
   auto const e = embed(kuhn_box({10, 4, 4}, {1, 0.4, 0.4}), {bar_along({{0, 0.2, 0.2}, {1, 0.2, 0.2}})});
   expect_whole(e, 1, area);
@@ -181,7 +183,8 @@ TEST(Embed, BarOutsideIsAnError) {
   } catch (core::InputError const& error) {
     ASSERT_EQ(error.diagnostics.size(), 1u);
     EXPECT_EQ(error.diagnostics[0].place.line, 7);
-    EXPECT_NE(error.diagnostics[0].message.find("(1, 0.1, 0.1)"), std::string::npos) << error.diagnostics[0].message;
+    EXPECT_NE(error.diagnostics[0].message.find("(1, 0.1, 0.1)"), std::string::npos)
+        << error.diagnostics[0].message;
   }
   EXPECT_THROW(embed(kuhn_box({2, 2, 2}, {1, 1, 1}), {bar_along({{3, 3, 3}, {4, 3, 3}})}), core::InputError);
 }
@@ -191,7 +194,8 @@ TEST(Embed, BarThroughGapIsAnError) {
   std::vector<mesh::BoxCells> boxes(2);
   boxes[0].to = {1, 1, 1}, boxes[1].from = {1.1, 0, 0}, boxes[1].to = {2, 1, 1};
   boxes[0].cells = boxes[1].cells = {3, 3, 3};
-  EXPECT_THROW(embed(mesh::make_boxes(boxes), {bar_along({{0.1, 0.4, 0.4}, {1.9, 0.4, 0.4}})}), core::InputError);
+  EXPECT_THROW(embed(mesh::make_boxes(boxes), {bar_along({{0.1, 0.4, 0.4}, {1.9, 0.4, 0.4}})}),
+               core::InputError);
 }
 
 // An unknown steel, an unknown curve and a bar without length are errors.
@@ -218,13 +222,15 @@ TEST(Embed, BondedFacesHaveNoBarJoint) {
   EXPECT_NEAR(e.report.length(), 1, 1e-9);
 }
 
-// A bar moved by a thousandth of the cell size off the edges has the same pieces to a few thousandths of a cell.
+// A bar moved by a thousandth of the cell size off the edges has the same pieces to a few thousandths of a
+// cell.
 TEST(Embed, SmallShiftChangesLittle) {
   double const h = 0.1;
   auto const on = embed(kuhn_box({10, 4, 4}, {1, 0.4, 0.4}), {bar_along({{0, 0.2, 0.2}, {1, 0.2, 0.2}})});
-  for (Vec3 shift : {Vec3{0, 1e-3 * h, 0}, Vec3{0, -1e-3 * h, 0}, Vec3{0, 0, 1e-3 * h}, Vec3{0, -1e-3 * h, -1e-3 * h}}) {
-    auto const off =
-        embed(kuhn_box({10, 4, 4}, {1, 0.4, 0.4}), {bar_along({Vec3{0, 0.2, 0.2} + shift, Vec3{1, 0.2, 0.2} + shift})});
+  for (Vec3 shift :
+       {Vec3{0, 1e-3 * h, 0}, Vec3{0, -1e-3 * h, 0}, Vec3{0, 0, 1e-3 * h}, Vec3{0, -1e-3 * h, -1e-3 * h}}) {
+    auto const off = embed(kuhn_box({10, 4, 4}, {1, 0.4, 0.4}),
+                           {bar_along({Vec3{0, 0.2, 0.2} + shift, Vec3{1, 0.2, 0.2} + shift})});
     ASSERT_EQ(off.bars().elements.size(), on.bars().elements.size());
     for (std::size_t i = 0; i < on.bars().elements.size(); ++i)
       EXPECT_NEAR(off.bars().elements[i].length, on.bars().elements[i].length, 5e-3 * h);
@@ -242,7 +248,8 @@ TEST(Embed, WarnsOfCoarseMesh) {
 
 // The automatic crack lengths of a bar sum, twice over, to the bar less half its two end elements.
 TEST(Embed, CrackLengthsSumToTheBar) {
-  auto const e = embed(support::random_box_mesh(3, {6, 4, 4}), {bar_along({{0, 0.31, 0.42}, {1, 0.37, 0.55}})});
+  auto const e =
+      embed(support::random_box_mesh(3, {6, 4, 4}), {bar_along({{0, 0.31, 0.42}, {1, 0.37, 0.55}})});
   double sum = 0;
   for (auto const& j : e.bars().joints) sum += 2 * rebar::crack_length(e.bars().properties[0], j);
   auto const& x = e.bars().elements;

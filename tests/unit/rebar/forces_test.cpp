@@ -15,12 +15,15 @@ Mat3 rotation(Vec3 axis, double angle) {
   return Mat3::identity() + std::sin(angle) * k + (1 - std::cos(angle)) * (k * k);
 }
 
-/// A small random affine motion of each tet on its own, so that all joints open and slide, on top of a rotation.
-std::function<Vec3(int, Vec3)> random_motion(std::uint64_t seed, double amount, Mat3 turn = Mat3::identity()) {
+/// A small random affine motion of each tet on its own, so that all joints open and slide, on top of a
+/// rotation.
+std::function<Vec3(int, Vec3)> random_motion(std::uint64_t seed, double amount,
+                                             Mat3 turn = Mat3::identity()) {
   return [=](int tet, Vec3 x) {
     support::Random random(seed + 1000 * static_cast<std::uint64_t>(tet));
     Vec3 const shift = random.vector(-amount, amount);
-    Mat3 const strain{{random.vector(-amount, amount), random.vector(-amount, amount), random.vector(-amount, amount)}};
+    Mat3 const strain{
+        {random.vector(-amount, amount), random.vector(-amount, amount), random.vector(-amount, amount)}};
     return turn * (x + shift + strain * x) - x;
   };
 }
@@ -32,7 +35,8 @@ std::vector<model::BarSpec> bars_across(double length) {
   return {skew, kinked};
 }
 
-// Force and moment of elements and joints together vanish to 1e-12, intact, cracked and yielded, also after a large turn.
+// Force and moment of elements and joints together vanish to 1e-12, intact, cracked and yielded, also after a
+// large turn.
 TEST(BarForces, ForceAndMomentAreConserved) {
   for (double amount : {1e-7, 1e-5, 1e-3, 5e-3})
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -111,7 +115,9 @@ TEST(BarJoint, ActivationBySlidingUnderPressure) {
     auto const& law = b.m.joints.law[0];
     double const s_p = (law.f_s + law.tan_phi * pressure) / law.k;
     auto const slid = [&](double s) {
-      b.move([&](int tet, Vec3) { return tet == b.m.bars.joints[0].tet_b ? Vec3{-pressure / law.k, s, 0} : Vec3{}; });
+      b.move([&](int tet, Vec3) {
+        return tet == b.m.bars.joints[0].tet_b ? Vec3{-pressure / law.k, s, 0} : Vec3{};
+      });
       return b.s.bars.is_activated(0);
     };
     EXPECT_FALSE(slid(0.999 * s_p));
@@ -135,7 +141,8 @@ TEST(BarJoint, UncrackableConcreteKeepsTheJointLinear) {
   EXPECT_FALSE(b.s.bars.is_activated(0));
 }
 
-// Between two activated joints an element's force is the mean of theirs; the option `elastic` keeps its own stiffness.
+// Between two activated joints an element's force is the mean of theirs; the option `elastic` keeps its own
+// stiffness.
 TEST(BarForces, ElementBetweenCracksFollowsItsEnds) {
   for (auto between : {model::BarBetweenCracks::slip_only, model::BarBetweenCracks::elastic}) {
     model::BarSettings settings;
@@ -147,7 +154,8 @@ TEST(BarForces, ElementBetweenCracksFollowsItsEnds) {
     for (std::size_t i = 0; i < b.m.bars.elements.size(); ++i) {
       auto const& e = b.m.bars.elements[i];
       double const own = 210e9 * b.s.bars.elongation[i] / e.length;
-      bool const cracked = e.joint0 >= 0 && e.joint1 >= 0 && b.s.bars.is_activated(static_cast<std::size_t>(e.joint0)) &&
+      bool const cracked = e.joint0 >= 0 && e.joint1 >= 0 &&
+                           b.s.bars.is_activated(static_cast<std::size_t>(e.joint0)) &&
                            b.s.bars.is_activated(static_cast<std::size_t>(e.joint1));
       if (between == model::BarBetweenCracks::elastic) {
         EXPECT_NEAR(b.s.bars.element_stress[i], own, 1e-9 * std::abs(own));
@@ -196,8 +204,8 @@ TEST(BarForces, SameBitsOnAnyNumberOfThreads) {
   }
 }
 
-/// Largest eigenvalue of D^-1 K by power iteration; K applied by central differences of the bar forces, each from
-/// the state `start`.
+/// Largest eigenvalue of D^-1 K by power iteration; K applied by central differences of the bar forces, each
+/// from the state `start`.
 double largest_eigenvalue(BarModel& b, state::BarState const& start, std::vector<double> const& diagonal) {
   std::size_t const n = b.s.u.size();
   support::Random random(7);
@@ -215,7 +223,8 @@ double largest_eigenvalue(BarModel& b, state::BarState const& start, std::vector
       b.forces();
       for (std::size_t slot = 0; slot < b.w.overlay.tets.size(); ++slot)
         for (std::size_t k = 0; k < 16; ++k)
-          y[16 * static_cast<std::size_t>(b.w.overlay.tets[slot]) + k] -= b.w.overlay.force[16 * slot + k] / (2 * step);
+          y[16 * static_cast<std::size_t>(b.w.overlay.tets[slot]) + k] -=
+              b.w.overlay.force[16 * slot + k] / (2 * step);
     }
     double xy = 0, xx = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -243,7 +252,9 @@ TEST(BarForces, StiffnessBoundHolds) {
           laws::activate(b.m.bars.joint_law[i].activated, b.s.bars.history[i], 0, {}, 0, 0);
       double const eigenvalue = largest_eigenvalue(b, b.s.bars, k);
       EXPECT_LE(eigenvalue, 2.0 * (1 + 1e-6)) << "seed " << seed << " activated " << activated;
-      if (!activated) { EXPECT_GE(eigenvalue, 0.5) << "seed " << seed; }
+      if (!activated) {
+        EXPECT_GE(eigenvalue, 0.5) << "seed " << seed;
+      }
     }
 }
 

@@ -1,5 +1,5 @@
-// Energy of a bar across one crack between two tets: the work put in through the corners equals what is held and
-// lost, on paths that load, unload, reload, slide and tear.
+// Energy of a bar across one crack between two tets: the work put in through the corners equals what is held
+// and lost, on paths that load, unload, reload, slide and tear.
 #include <gtest/gtest.h>
 
 #include "../../unit/rebar/bar_model.hpp"
@@ -48,10 +48,12 @@ BarModel two_tet_bar(model::BarBetweenCracks between, double tilt = 0, double in
 constexpr auto slip_only = model::BarBetweenCracks::slip_only;
 constexpr auto elastic = model::BarBetweenCracks::elastic;
 
-std::vector<Station> const cycles{{{1e-4, 0, 0}, 2e-4}, {{0, 0, 0}, 1e-4},      {{3e-4, 0, 0}, 5e-4}, {{-2e-5, 0, 0}, 0},
-                                  {{5e-4, 0, 0}, 1e-3}, {{3e-4, 0, 0}, 2e-4}, {{6e-4, 0, 0}, 8e-4}, {{0, 0, 0}, 0}};
+std::vector<Station> const cycles{{{1e-4, 0, 0}, 2e-4}, {{0, 0, 0}, 1e-4},    {{3e-4, 0, 0}, 5e-4},
+                                  {{-2e-5, 0, 0}, 0},   {{5e-4, 0, 0}, 1e-3}, {{3e-4, 0, 0}, 2e-4},
+                                  {{6e-4, 0, 0}, 8e-4}, {{0, 0, 0}, 0}};
 
-// Load, unload, reload past yield and back along the bar: work = held + lost within 0.1 %, with both element options.
+// Load, unload, reload past yield and back along the bar: work = held + lost within 0.1 %, with both element
+// options.
 TEST(PullOut, AxialCyclesBalance) {
   for (auto between : {slip_only, elastic}) {
     auto b = two_tet_bar(between);
