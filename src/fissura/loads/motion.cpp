@@ -38,6 +38,7 @@ MotionEffects move_supports(Model const& m, State& s, Vec3 gravity_mean) {
   MotionEffects sum;
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
     auto const& p = m.prescribed[i];
+    if (p.motion.stage > s.stage) continue; // its points are free until the stage begins
     double const before = s.prescribed_velocity[i], now = velocity_of(p, m, s);
     double reaction = 0;
     for (int const node : p.nodes) {

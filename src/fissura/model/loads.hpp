@@ -15,7 +15,8 @@ struct TimedCurve {
   int stage = -1;
 };
 
-/// One component of a set of nodes that follows a prescribed motion (a support: none).
+/// One component of a set of nodes that follows a prescribed motion (a support: none) from the start of its stage, and
+/// from where it is then; before, the nodes are free.
 struct Prescribed {
   std::string name;
   int axis = 0;
