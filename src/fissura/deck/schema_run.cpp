@@ -27,6 +27,9 @@ Section run_section() {
   f.number("dt_factor", &RunSpec::dt_factor, "The time step over the stable one.").range({0, 1, true, false});
   f.quantity("dt", &RunSpec::dt, Dimension::time, "A fixed time step; 0: from the stable one.")
       .not_negative();
+  f.quantity("least_dt", &RunSpec::least_dt, Dimension::time,
+             "Selective mass scaling: tets with a smaller step get the mass that lifts it to this; 0: none.")
+      .not_negative();
   f.quantity("mass_damping", &RunSpec::mass_damping, Dimension::rate, "c of F = -c m v.").not_negative();
   f.number("local_damping", &RunSpec::local_damping, "alpha of F = -alpha |f| sign(v): dynamic relaxation.")
       .range({0, 1, false, true});

@@ -182,6 +182,7 @@ struct RunSpec {
   double end_time = 0;       ///< [s]; 0 = the sum of the stages
   double dt_factor = 0.9;    ///< of the stable step
   double dt = 0;             ///< > 0: a fixed step [s]
+  double least_dt = 0;       ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
   double mass_damping = 0;   ///< c of F = -c m v [1/s]
   double local_damping = 0;  ///< alpha of F = -alpha |f| sign(v) [-]
   int threads = 0;           ///< 0 = all

@@ -15,6 +15,9 @@ void make_blocks(Model& m);
 /// Adds the bars' mass to the nodes [kg per node] and renews the inverse masses.
 void add_steel_mass(Model& m, std::span<double const> steel_mass);
 
+/// Selective mass scaling: multiplies the mass of each tet (its steel included); gravity still acts on the real mass.
+void scale_masses(Model& m, std::span<double const> factor);
+
 /// 73 f_cm^0.18 N/m with f_cm in MPa (fib Model Code 2010).
 double default_fracture_energy(double f_c);
 /// c = f_c (1 - sin phi)/(2 cos phi): the Mohr-Coulomb line that meets f_c in uniaxial compression.

@@ -105,6 +105,18 @@ void make_blocks(Model& m) {
   renew_inverse_masses(m);
 }
 
+void scale_masses(Model& m, std::span<double const> factor) {
+  for (std::size_t t = 0; t < factor.size(); ++t) {
+    if (factor[t] == 1) continue;
+    for (std::size_t a = 0; a < 4; ++a) {
+      m.added_mass += (factor[t] - 1) * m.mass[4 * t + a];
+      m.mass[4 * t + a] *= factor[t];
+    }
+    m.tets.weight_ratio[t] /= factor[t];
+  }
+  renew_inverse_masses(m);
+}
+
 void add_steel_mass(Model& m, std::span<double const> steel_mass) {
   for (std::size_t i = 0; i < steel_mass.size(); ++i) {
     double const factor = 1 / m.tets.weight_ratio[i / 4];

@@ -49,6 +49,7 @@ void note_assumptions(Model const& m, BuildReport& report) {
 
 void choose_step(Model& m) {
   auto const& run = m.source.run;
+  if (run.least_dt > 0) model::scale_masses(m, step::mass_factors(m, run.least_dt / run.dt_factor));
   auto const stable = step::stable_step(m);
   m.dt = run.dt > 0 ? run.dt : run.dt_factor * stable.dt;
   m.dt_limiter = run.dt > 0 ? fmt::format("given in the deck; stable step {:.4g} s by {}", stable.dt, stable.limiter)

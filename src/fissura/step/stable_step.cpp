@@ -72,42 +72,67 @@ struct TetBound {
   }
 };
 
+/// The bounds of all tets.
+class Bounds {
+ public:
+  explicit Bounds(Model const& m) : m_(m), joint_k_(joint_stiffness(m)), bar_k_(joint_k_.size(), 0) {
+    rebar::add_bar_stiffness(m.bars, bar_k_);
+    sum_over_clusters(m, joint_k_);
+    sum_over_clusters(m, bar_k_);
+  }
+
+  TetBound of(int tet) const {
+    auto const t = static_cast<std::size_t>(tet);
+    double const G = m_.tets.shear_modulus[t], lambda = m_.tets.lame[t], norm = gradient_norm(m_, t);
+    TetBound b;
+    for (std::size_t a = 0; a < 4; ++a) {
+      double const inverse = m_.tets.inverse_mass[model::at(t, static_cast<int>(a), 4)], own_mass = m_.mass[4 * t + a];
+      // a bonded node's frequency is at most that of its stiffest tet alone (Rayleigh), so the own mass counts
+      b.own = std::max(b.own, m_.tets.volume[t] * (2 * G + 3 * lambda) * norm / own_mass);
+      b.viscous = std::max(b.viscous, m_.tets.volume[t] * m_.tets.viscosity[t] * norm / own_mass);
+      b.joints = std::max(b.joints, 2 * inverse * joint_k_[4 * t + a]);
+      b.bars = std::max(b.bars, 2 * inverse * bar_k_[4 * t + a]);
+    }
+    return b;
+  }
+
+ private:
+  Model const& m_;
+  std::vector<double> joint_k_, bar_k_;
+};
+
+std::string describe(Model const& m, int tet, TetBound const& b) {
+  char const* const lead = b.bars > b.joints && b.bars > b.own ? "bar joint" : b.joints > b.own ? "joint" : "tet";
+  auto const c = mesh::corners(m.mesh, tet);
+  Vec3 const at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+  return fmt::format("{} at tet {} ({:.4g}, {:.4g}, {:.4g}) m", lead, m.mesh.input_id[tet], at.x, at.y, at.z);
+}
+
 } // namespace
 
 StableStep stable_step(Model const& m) {
-  std::vector<double> joint_k = joint_stiffness(m), bar_k(joint_k.size(), 0);
-  rebar::add_bar_stiffness(m.bars, bar_k);
-  sum_over_clusters(m, joint_k);
-  sum_over_clusters(m, bar_k);
-
+  Bounds const bounds(m);
   StableStep best;
-  TetBound governing;
   for (int tet = 0; tet < m.tets.count; ++tet) {
-    auto const t = static_cast<std::size_t>(tet);
-    double const G = m.tets.shear_modulus[t], lambda = m.tets.lame[t], norm = gradient_norm(m, t);
-    TetBound b;
-    for (int a = 0; a < 4; ++a) {
-      double const inverse = m.tets.inverse_mass[model::at(t, a, 4)];
-      double const own_mass = m.mass[4 * t + static_cast<std::size_t>(a)];
-      // a bonded node's frequency is at most that of its stiffest tet alone (Rayleigh), so the own mass counts
-      b.own = std::max(b.own, m.tets.volume[t] * (2 * G + 3 * lambda) * norm / own_mass);
-      b.viscous = std::max(b.viscous, m.tets.volume[t] * m.tets.viscosity[t] * norm / own_mass);
-      b.joints = std::max(b.joints, 2 * inverse * joint_k[4 * t + static_cast<std::size_t>(a)]);
-      b.bars = std::max(b.bars, 2 * inverse * bar_k[4 * t + static_cast<std::size_t>(a)]);
-    }
-    if (best.tet >= 0 && b.dt() >= best.dt) continue;
-    best.dt = b.dt();
+    double const dt = bounds.of(tet).dt();
+    if (best.tet >= 0 && dt >= best.dt) continue;
+    best.dt = dt;
     best.tet = tet;
-    governing = b;
   }
+  auto const governing = bounds.of(best.tet);
   best.omega = std::sqrt(governing.own + governing.joints + governing.bars);
-  char const* const lead = governing.bars > governing.joints && governing.bars > governing.own ? "bar joint"
-                           : governing.joints > governing.own                                  ? "joint"
-                                                                                               : "tet";
-  auto const c = mesh::corners(m.mesh, best.tet);
-  Vec3 const at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-  best.limiter = fmt::format("{} at tet {} ({:.4g}, {:.4g}, {:.4g}) m", lead, m.mesh.input_id[best.tet], at.x, at.y, at.z);
+  best.limiter = describe(m, best.tet, governing);
   return best;
+}
+
+std::vector<double> mass_factors(Model const& m, double dt) {
+  Bounds const bounds(m);
+  std::vector<double> factor(static_cast<std::size_t>(m.tets.count), 1);
+  for (int tet = 0; tet < m.tets.count; ++tet) {
+    double const own = bounds.of(tet).dt();
+    if (own < dt) factor[static_cast<std::size_t>(tet)] = (dt / own) * (dt / own);
+  }
+  return factor;
 }
 
 } // namespace fissura::step

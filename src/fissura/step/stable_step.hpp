@@ -1,6 +1,7 @@
 #pragma once
 // The largest time step of the central differences that is safe for a model.
 #include <string>
+#include <vector>
 
 #include "fissura/model/model.hpp"
 
@@ -17,5 +18,9 @@ struct StableStep {
 /// its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one block per tet; the frequency of
 /// a block is at most that of the tet alone plus its largest diagonal entry. Rigorous for small displacements.
 StableStep stable_step(model::Model const& m);
+
+/// Selective mass scaling: per tet, the factor on its mass that lifts its stable step to `dt` [s]; 1 where it is there
+/// already. (With viscosity the factor is a bound.)
+std::vector<double> mass_factors(model::Model const& m, double dt);
 
 } // namespace fissura::step
