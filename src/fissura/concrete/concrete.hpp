@@ -37,7 +37,10 @@ std::array<double, 6> tet_stress(model::Model const& m, state::State const& s, i
 Mat3 displacement_gradient(model::Model const& m, state::State const& s, int tet);
 
 struct JointCounts {
-  int damaged = 0, broken = 0, released = 0; ///< damaged includes broken
+  int damaged = 0;  ///< some point has passed its strength; includes the following
+  int cracked = 0;  ///< all three points have passed it: a crack crosses the joint
+  int broken = 0;   ///< all three points have failed: no cohesion left
+  int released = 0; ///< broken, and its faces no longer lie against each other
 };
 JointCounts count_joints(model::Model const& m, state::State const& s);
 

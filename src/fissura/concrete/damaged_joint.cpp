@@ -65,13 +65,14 @@ void damaged_joint(Model const& m, State& s, double* joint_force, int joint) {
     std::fill(force, force + 12, 0.0);
     return;
   }
-  JointKinematics const now = joint_kinematics(m, s, joint), before = joint_kinematics(m, s, joint, m.dt);
+  JointKinematics const now = joint_kinematics(m, s, joint);
+  if (status == static_cast<std::uint8_t>(JointStatus::intact)) history.last = joint_kinematics(m, s, joint, m.dt).at;
   bool const broken = status == static_cast<std::uint8_t>(JointStatus::broken);
   std::array<Vec3, 3> traction;
   bool any_damage = false, all_failed = true;
   for (int q = 0; q < 3; ++q) {
     laws::Dissipation lost{};
-    auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], before.at[q], broken, lost);
+    auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], history.last[q], broken, lost);
     traction[q] = t.sigma * now.normal + t.tau_1 * now.axis_1 + t.tau_2 * now.axis_2;
     history.dissipated.mode_I += lost.mode_I * j.area / 3;
     history.dissipated.mode_II += lost.mode_II * j.area / 3;
@@ -79,6 +80,7 @@ void damaged_joint(Model const& m, State& s, double* joint_force, int joint) {
     any_damage |= history.point[q].kappa > 0;
     all_failed &= history.point[q].kappa >= 1;
   }
+  history.last = now.at;
   if (any_damage && status == static_cast<std::uint8_t>(JointStatus::intact))
     status = static_cast<std::uint8_t>(JointStatus::damaged);
   if (all_failed && !broken) {

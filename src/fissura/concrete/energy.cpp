@@ -107,7 +107,10 @@ JointCounts count_joints(Model const& m, State const& s) {
   JointCounts n;
   for (int j = 0; j < m.joints.count; ++j) {
     auto const status = static_cast<JointStatus>(s.joint_status[j]);
-    n.damaged += status != JointStatus::intact;
+    if (status == JointStatus::intact) continue;
+    ++n.damaged;
+    auto const& point = s.joint_history[j].point;
+    n.cracked += point[0].kappa > 0 && point[1].kappa > 0 && point[2].kappa > 0;
     n.broken += status == JointStatus::broken || status == JointStatus::released;
     n.released += status == JointStatus::released;
   }

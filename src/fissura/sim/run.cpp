@@ -237,6 +237,7 @@ class Run {
     j["wall_seconds"] = wall;
     j["tet_steps_per_second"] = static_cast<double>(s_.step) * m_.tet_count() / std::max(wall, 1e-9);
     j["joints_damaged"] = joints.damaged;
+    j["joints_cracked"] = joints.cracked;
     j["joints_broken"] = joints.broken;
     j["bar_joints_activated"] = bars.activated;
     j["bar_joints_yielded"] = bars.yielded;

@@ -16,6 +16,7 @@ enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, rel
 
 struct JointHistory {
   std::array<laws::CohesiveHistory, 3> point{}; ///< at the mid-edges 01, 12, 20
+  std::array<laws::Separation, 3> last{};       ///< separations one step ago, once the joint is damaged
   laws::Dissipation dissipated{};               ///< [J]
   double time_of_failure = 0;                   ///< [s]; 0 = not failed
 };
