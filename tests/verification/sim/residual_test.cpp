@@ -1,0 +1,96 @@
+// The guard on energy: silent in a sound run, and it sees an error of 2 %.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/sim/monitor.hpp"
+#include "support/cases.hpp"
+
+namespace fissura::support {
+namespace {
+
+struct Watched {
+  double residual = 0;
+  bool warned = false;
+  std::optional<std::string> reason;
+  int damaged = 0;
+};
+
+/// A plain prism pulled until it cracks; `meddle` may change the state after any step.
+template <class Meddle>
+Watched watch(double stop, Meddle const& meddle) {
+  auto c = tie_case({6, 2, 2}, 1, 0.2);
+  c.run.mass_damping = 500;
+  c.run.residual_stop = stop;
+  Stepper x(c);
+  sim::Monitor monitor(x.m);
+  Watched r;
+  for (int i = 0; i < 6000 && !r.reason; ++i) {
+    bool const reading = i % 50 == 0;
+    step::advance(x.m, x.s, x.w, reading ? &x.e : nullptr);
+    if (reading) r.reason = monitor.take(x.e, x.m, x.s);
+    meddle(x, i);
+  }
+  r.residual = monitor.residual();
+  r.warned = monitor.crossed_warning();
+  r.damaged = concrete::count_joints(x.m, x.s).damaged;
+  return r;
+}
+
+/// Changes the velocities so that the kinetic energy grows by `energy` (or shrinks).
+void add_kinetic(Stepper& x, double energy) {
+  double kinetic = 0;
+  for (int n = 0; n < node_count(x.m); ++n) kinetic += 0.5 * x.m.mass[n] * dot(at_node(x.s.v, n), at_node(x.s.v, n));
+  double const factor = std::sqrt(std::max(0.0, 1 + energy / kinetic));
+  for (double& v : x.s.v) v *= factor;
+}
+
+// Requirement: a cracking tie leaves a residual of at most 0.5 %, no warning and no stop.
+TEST(Residual, is_small_in_a_sound_run) {
+  auto const r = watch(0.05, [](Stepper&, int) {});
+  EXPECT_GT(r.damaged, 10);
+  EXPECT_LE(std::abs(r.residual), 5e-3);
+  EXPECT_FALSE(r.warned);
+  EXPECT_FALSE(r.reason);
+  RecordProperty("residual", std::to_string(r.residual));
+}
+
+// Requirement: energy put in by nobody, 2 % of the work, is seen as creation: in the residual, as a warning, and as the
+// reason to stop where the limit is 1.5 %.
+TEST(Residual, sees_two_percent_created) {
+  auto inject = [](Stepper& x, int i) {
+    if (i == 5000) add_kinetic(x, 0.02 * x.e.absolute_work);
+  };
+  auto const r = watch(0.05, inject);
+  EXPECT_LT(r.residual, -0.012);
+  EXPECT_GT(r.residual, -0.028);
+  EXPECT_TRUE(r.warned);
+  EXPECT_FALSE(r.reason);
+  auto const stopped = watch(0.015, inject);
+  ASSERT_TRUE(stopped.reason);
+  EXPECT_NE(stopped.reason->find("energy was created"), std::string::npos) << *stopped.reason;
+}
+
+// Requirement: a dissipation account that holds 2 % of the work too much is seen as well.
+TEST(Residual, sees_a_wrong_account) {
+  auto const r = watch(0.015, [](Stepper& x, int i) {
+    if (i == 5000) x.s.ledger.viscous += 0.02 * x.e.absolute_work;
+  });
+  ASSERT_TRUE(r.reason);
+  EXPECT_NE(r.reason->find("energy was created"), std::string::npos);
+}
+
+// Requirement: energy that vanishes is told apart from energy that appears.
+TEST(Residual, sees_two_percent_lost) {
+  auto const r = watch(0.015, [](Stepper& x, int i) {
+    if (i == 5000) x.s.ledger.work_supports += 0.02 * x.e.absolute_work;
+  });
+  EXPECT_GT(r.residual, 0.012);
+  ASSERT_TRUE(r.reason);
+  EXPECT_NE(r.reason->find("energy was lost"), std::string::npos);
+}
+
+} // namespace
+} // namespace fissura::support
