@@ -1,0 +1,186 @@
+"""The verification cases: what is checked, against what, how closely, and what the founding paper says.
+
+A check passes if |computed - reference| <= tolerance. A check without tolerance is information: it cannot fail.
+"""
+from dataclasses import dataclass
+from typing import Callable
+
+import verify_measures as measure
+
+
+@dataclass(frozen=True)
+class Check:
+    case: str
+    quantity: str
+    reference: float
+    tolerance: float
+    measure: Callable          # of the runs, in the order of `runs`
+    runs: tuple                # names in verify_runs.all_runs()
+    paper: str = ""            # the paper's value as printed
+
+
+@dataclass(frozen=True)
+class Case:
+    title: str
+    about: str                 # how it is measured
+    figures: tuple = ()
+
+
+INFORMATION = float("inf")
+PENALTIES = (20, 60, 100)
+
+CASES = {
+    "tension_prism": Case("3.1 Prism in tension", """A prism of 1.0 x 0.2 x 0.2 m pulled at both ends, far below cracking; mesh A 10x2x2 cells, mesh B 20x4x4,
+six tets each. The error is `1 - F/(E A u/L)` at equal displacement: the compliance that the joints add. It follows
+`a e/(1 + a e)`, `e = E/p`; for Kuhn's cells and `h` = cell edge `a = 1 + sqrt(2)`, so 10.77 % at p = 20 E. The paper's length
+and width are lost; meshes and materials are the paper's.""", (13, 14)),
+    "self_weight": Case("3.2 Beam under its own weight", """A beam of 12 x 0.5 x 2 m (reconstructed: these give the paper's 0.729 mm exactly), supported and read at mid-height, 24 tets per
+cell, at rest after mass-proportional damping. The error is `|w/w_theory - 1|` against Timoshenko's beam. Meshes A, B, C have 4, 6 and 8
+cells over the height; the joints are those of mesh C, elastic.""", (17,)),
+    "elastic_tie": Case("3.3 Reinforced tie, elastic", """A tie of 1.2 x 0.3 x 0.3 m with one central bar of 9 cm2, pulled far below cracking; 12x3x3 cells. The error is
+`1 - F/((E_c A_gross + E_s A_s) eps)`. The length is reconstructed.""", (19,)),
+    "tie_to_failure": Case("3.4 Tie to failure", """The same tie pulled at 0.1 m/s at each end until the bar breaks, on four meshes with cells of 30, 15, 10 and 7.5 cm along the bar. *Cracking* is
+the largest average stress F/A before an elongation of 2.5e-4, *first yield* the first row of the history with a yielded bar joint, *mean strain* that
+between two planes 0.3 m from the ends. Theory: 1.815e-3 at first yield from slip alone; a bare bar yields at 2.52e-3. With the paper's bar (`between_cracks = "elastic"`)
+the bar's strain between cracks is counted twice, once by the slip law and once by the element: it yields later than a bare bar, which cannot be.""", (21, 22)),
+    "demo_beam": Case("Demo beam", """The beam of `make demo`: three-point bending, 1.05 m, two bars of 8 mm. Reference: section analysis, `A_s f_y z` with a rectangular
+stress block, z = 116 mm. The position of a bar inside the cells must not matter: shifted by 1e-3 of the element size, the load-deflection curve up to yield stays within 2 % of the yield load."""),
+    "four_point": Case("4.2 Four-point beam to collapse", """The beam of 4.5 x 0.15 x 0.25 m (reconstructed) under two loads until it collapses, with the default Mohr-Coulomb joints; nothing is
+fitted to the test. Loads are those at the supports without the self-weight, as means over 10 ms (one millimetre of the jacks' way), since
+a crack's shock lasts about one millisecond. *Cracking* is the load at which the bars at midspan carry 10 % more than the sound section's share;
+section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within the outer limits 6.4 - 15 % and 7.9 + 15 %. *First yield* is the first row with a yielded bar joint, *failure* the largest load before the load falls.""",
+                       (31, 32, 33)),
+    "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form."""),
+    "reproducible": Case("Same bits", """Tie 3.4, mesh A: the hash of the final state with one and with two threads."""),
+}
+
+
+def prism_checks():
+    case = "tension_prism"
+    paper = {20: 10.7, 60: 3.9, 100: 2.5}
+    tolerance = {20: 1.0, 60: 0.4, 100: 0.4}
+    for mesh in "AB":
+        yield Check(case, f"error without joints, mesh {mesh} [%]", 0, 0.1, measure.prism_error, (f"prism_{mesh}",), "0")
+        for p in PENALTIES:
+            yield Check(case, f"error, p = {p} E, mesh {mesh} [%]", paper[p], tolerance[p], measure.prism_error,
+                        (f"prism_{mesh}_{p}",), f"{paper[p]:g}")
+    for p in PENALTIES:
+        yield Check(case, f"meshes A and B differ, p = {p} E [points]", 0, 0.5,
+                    lambda a, b: measure.prism_error(a) - measure.prism_error(b), (f"prism_A_{p}", f"prism_B_{p}"))
+
+    def scaled(run):
+        return measure.prism_error(run) / (100 - measure.prism_error(run))
+
+    for p in (60, 100):
+        yield Check(case, f"error/(1 - error), 20 E over {p} E, mesh B: as 1/p", p / 20, 0.02 * p / 20,
+                    lambda a, b: scaled(a) / scaled(b), ("prism_B_20", f"prism_B_{p}"))
+    yield Check(case, "closed form with h = cell edge, p = 20 E, mesh B [%]", 10.77, 0.7, measure.prism_error, ("prism_B_20_edge",))
+    yield Check(case, "largest energy residual [%]", 0, 0.5, lambda *runs: max(measure.residual(r) for r in runs),
+                tuple(f"prism_{m}_{p}" for m in "AB" for p in PENALTIES))
+
+
+def self_weight_checks():
+    case = "self_weight"
+    limit = {"A": 11.11, "B": 2.88, "C": 1.3}
+    paper = {"A": "11.11", "B": "2.88", "C": "0.82"}
+    for mesh in "ABC":
+        yield Check(case, f"error without joints, mesh {mesh} [%]", 0, limit[mesh], measure.deflection_error,
+                    (f"self_weight_{mesh}",), paper[mesh])
+
+    def falling(*runs):
+        errors = [measure.deflection_error(r) for r in runs]
+        return float(errors == sorted(errors, reverse=True))
+
+    yield Check(case, "errors fall from mesh to mesh (1 = yes)", 1, 0, falling, tuple(f"self_weight_{m}" for m in "ABC"))
+    for p, reference in zip(PENALTIES, (11.80, 3.84, 1.92)):
+        yield Check(case, f"error, p = {p} E, mesh C [%]", reference, 1.0, measure.deflection_error, (f"self_weight_C_{p}",),
+                    f"{reference:.2f}")
+    yield Check(case, "largest energy residual [%]", 0, 0.5, lambda *runs: max(measure.residual(r) for r in runs),
+                ("self_weight_A", "self_weight_B", "self_weight_C", "self_weight_C_20"))
+
+
+def elastic_tie_checks():
+    for p, reference in zip(PENALTIES, (11.0, 4.1, 2.5)):
+        yield Check("elastic_tie", f"error, p = {p} E [%]", reference, 1.0, measure.elastic_tie_error, (f"elastic_tie_{p}",),
+                    f"{reference}")
+    yield Check("elastic_tie", "largest energy residual [%]", 0, 0.5, lambda *runs: max(measure.residual(r) for r in runs),
+                tuple(f"elastic_tie_{p}" for p in PENALTIES))
+
+
+def tie_checks():
+    case = "tie_to_failure"
+
+    def read(key):
+        return lambda run: measure.tie(run)[key]
+
+    for mesh in "ABCD":
+        run = (f"tie_{mesh}",)
+        yield Check(case, f"F/A at cracking, mesh {mesh} [MPa]", 3.18, 0.318, read("cracking"), run, "3.18")
+        yield Check(case, f"F/A at first yield, mesh {mesh} [MPa]", 5.30, 0.424, read("yield"), run, "5.30")
+        yield Check(case, f"ultimate F/A, mesh {mesh} [MPa]", 6.50, 0.325, read("ultimate"), run, "6.50")
+        yield Check(case, f"mean strain at first yield, mesh {mesh} [1e-3] (1.6 to 2.3)", 1.95, 0.35, read("yield_strain"), run)
+        yield Check(case, f"energy residual, mesh {mesh} [%]", 0, 0.5, measure.residual, run)
+
+    def spread(*runs):
+        strains = [measure.tie(r)["yield_strain"] for r in runs]
+        return 100 * (max(strains) - min(strains)) / (sum(strains) / len(strains))
+
+    yield Check(case, "spread of that strain over the meshes [%]", 0, 15, spread, tuple(f"tie_{m}" for m in "ABCD"))
+    for mesh in "ABCD":
+        yield Check(case, f"mean strain at first yield, bar elastic between cracks, mesh {mesh} [1e-3]", 2.52, INFORMATION,
+                    read("yield_strain"), (f"tie_{mesh}_elastic",))
+
+
+def demo_checks():
+    case = "demo_beam"
+
+    def read(key):
+        return lambda run: measure.demo(run)[key]
+
+    yield Check(case, "load at first yield [kN]", 22.3, INFORMATION, read("yield"), ("demo",))
+    yield Check(case, "concrete cracked (1 = yes)", 1, 0, read("cracked"), ("demo",))
+    yield Check(case, "a bar ruptured (1 = yes)", 1, 0, read("ruptured"), ("demo",))
+    yield Check(case, "energy residual [%]", 0, 1, measure.residual, ("demo",))
+    yield Check(case, "bars shifted by 1e-3 of the element size: change of the curve up to yield [%]", 0, 2,
+                measure.change_up_to_yield, ("demo", "demo_shifted"))
+
+
+def four_point_checks():
+    case = "four_point"
+
+    def read(key):
+        return lambda run: measure.four_point(run)[key]
+
+    run = ("four_point",)
+    yield Check(case, "load at cracking [kN] (5.44 to 9.09)", 7.2625, 1.8225, read("cracking"), run)
+    yield Check(case, "load at first yield [kN]", 56, 4.48, read("yield"), run, "56")
+    yield Check(case, "failure load [kN]", 64.3, 5.144, read("failure"), run, "64.3 (test 65.0)")
+    yield Check(case, "steel yields before collapse (1 = yes)", 1, 0, read("yields_first"), run, "yes")
+    yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
+    for key, text in (("first_damage", "load at the first damaged joint [kN]"),
+                      ("crack_at_bar", "load when a crack reaches the bars [kN]"),
+                      ("yield_deflection", "deflection at first yield [mm]"),
+                      ("failure_deflection", "deflection at failure [mm]"),
+                      ("steel_at_failure", "stress of the bars at midspan at failure [MPa]"),
+                      ("failure_jack", "failure load at the jacks [kN]"),
+                      ("peak_reading", "largest single reading, in the shock of the collapse [kN]")):
+        yield Check(case, text, float("nan"), INFORMATION, read(key), run)
+    for key, text in (("yield", "first yield"), ("failure", "failure load")):
+        yield Check(case, f"{text}, p = 60 E over 20 E", 1, 0.03,
+                    lambda a, b, key=key: measure.four_point(b)[key] / measure.four_point(a)[key], ("four_point", "four_point_60"))
+    case, run = "four_point_unstructured", ("four_point_unstructured",)
+    yield Check(case, "load at cracking [kN] (5.44 to 9.09)", 7.2625, 1.8225, read("cracking"), run)
+    yield Check(case, "load at first yield [kN]", 56, 4.48, read("yield"), run, "56")
+    yield Check(case, "failure load [kN]", 64.3, 5.144, read("failure"), run, "64.3 (test 65.0)")
+    yield Check(case, "steel yields before collapse (1 = yes)", 1, 0, read("yields_first"), run, "yes")
+    yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
+
+
+def other_checks():
+    yield Check("reproducible", "state hash agrees on 1 and 2 threads (1 = yes)", 1, 0,
+                lambda a, b: float(a.summary["state_hash"] == b.summary["state_hash"]), ("tie_A", "tie_A_two_threads"))
+
+
+def all_checks():
+    return [c for family in (prism_checks, self_weight_checks, elastic_tie_checks, tie_checks, demo_checks, four_point_checks,
+                             other_checks) for c in family()]

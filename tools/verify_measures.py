@@ -1,0 +1,100 @@
+"""What is read from the runs: one function per example, plain numbers out. SI inside, shown units in the names."""
+import numpy as np
+
+# Example 3.1: E = 30 GPa, 0.2 x 0.2 m. Example 3.3: Table 4, gross section and bar, 1.2 m.
+PRISM_STIFFNESS = 30e9 * 0.04
+TIE_STIFFNESS = 30.5e9 * 0.09 + 210e9 * 9e-4
+TIE_LENGTH, TIE_AREA = 1.2, 0.09
+TIMOSHENKO = 0.729e-3
+
+
+def column(run, name):
+    return run.history[name].values
+
+
+def prism_error(run):
+    """1 - F/F_theory at the end, at equal displacement [%]."""
+    u = column(run, "u_right")[-1] - column(run, "u_left")[-1]
+    return 100 * (1 - column(run, "force")[-1] / (PRISM_STIFFNESS * u))
+
+
+def elastic_tie_error(run):
+    u = (column(run, "u_right")[-1] - column(run, "u_left")[-1]) / TIE_LENGTH
+    return 100 * (1 - column(run, "force")[-1] / (TIE_STIFFNESS * u))
+
+
+def deflection_error(run):
+    """|w/w_theory - 1| at rest [%]; w is the mean over the last tenth of the run."""
+    w = column(run, "deflection")
+    return 100 * abs(w[-max(1, len(w) // 10):].mean() / TIMOSHENKO - 1)
+
+
+def residual(run):
+    """Largest energy residual [%], without its sign."""
+    return 100 * abs(run.summary["energy_residual"])
+
+
+def first(condition):
+    """Index of the first row that meets it, or None."""
+    where = np.flatnonzero(condition)
+    return int(where[0]) if where.size else None
+
+
+def tie(run):
+    """Example 3.4: cracking, first yield and ultimate average stress [MPa], mean strain at first yield."""
+    stress = column(run, "force") / TIE_AREA / 1e6
+    strain = (column(run, "u_b") - column(run, "u_a")) / 0.6
+    cracked = first(column(run, "elongation") > 2.5e-4)
+    i = first(column(run, "bar_joints_yielded") > 0)
+    return {"cracking": stress[:cracked].max(), "yield": stress[i], "yield_strain": 1e3 * strain[i],
+            "ultimate": stress.max()}
+
+
+def running_mean(time, values, window):
+    """Mean over `window` seconds around each row, shorter at the ends."""
+    area = np.concatenate([[0], np.cumsum((values[1:] + values[:-1]) / 2 * np.diff(time))])
+    begin, end = np.maximum(time - window / 2, time[0]), np.minimum(time + window / 2, time[-1])
+    return (np.interp(end, time, area) - np.interp(begin, time, area)) / (end - begin)
+
+
+# Loads of the beam are means over 10 ms, one millimetre of the jacks' way: a crack's shock lasts one.
+SHOCK = 10e-3
+
+
+def four_point(run):
+    """Example 4.2, from the start of `push`: loads [kN] and deflections [mm]."""
+    time = column(run, "time")
+    begin = first(np.abs(column(run, "reaction_load_1_z")) > 0)
+    load, jack = column(run, "load") / 1e3, column(run, "jack") / 1e3
+    steel, w = column(run, "steel_stress") / 1e6, 1e3 * column(run, "deflection")
+    mean, mean_jack = (running_mean(time, x, SHOCK) for x in (load, jack))
+    # Sound, the steel's stress grows in proportion to the load; 10 % more than that is a cracked section.
+    after = np.arange(len(time)) > begin
+    ratio = np.divide(steel - steel[begin], load, out=np.zeros_like(load), where=after & (load > 0.5))
+    damaged = first(after & (column(run, "joints_damaged") > 0))
+    sound = ratio[damaged - 1]
+    crack = first(after & (np.arange(len(time)) > damaged) & (ratio > 1.1 * sound))
+    yielded = first(column(run, "bar_joints_yielded") > 0)
+    through = time < time[-1] - SHOCK / 2
+    top = int(np.argmax(np.where(after & through, mean, 0)))
+    return {"first_damage": load[damaged], "cracking": load[crack], "crack_at_bar": load[first(column(run, "bar_joints_activated") > 0)],
+            "yield": mean[yielded], "yield_deflection": w[yielded], "failure": mean[top], "failure_deflection": w[top],
+            "failure_jack": mean_jack[top], "peak_reading": load[after].max(), "steel_at_failure": steel[top],
+            "yields_first": float(yielded < top)}
+
+
+def demo(run):
+    load, w = column(run, "load") / 1e3, 1e3 * column(run, "deflection")
+    mean = running_mean(column(run, "time"), load, SHOCK)
+    yielded = first(column(run, "bar_joints_yielded") > 0)
+    return {"yield": mean[yielded], "maximum": mean.max(), "cracked": float(run.summary["joints_broken"] > 0),
+            "ruptured": float(run.summary["bars_broken"] > 0), "yield_time": column(run, "time")[yielded]}
+
+
+def change_up_to_yield(run, other):
+    """Largest difference of two load-deflection curves up to first yield over the load at yield [%]."""
+    i = first(column(run, "bar_joints_yielded") > 0)
+    time = column(run, "time")[:i + 1]
+    load = running_mean(column(run, "time"), column(run, "load"), SHOCK)[:i + 1]
+    shifted = np.interp(time, column(other, "time"), running_mean(column(other, "time"), column(other, "load"), SHOCK))
+    return 100 * np.abs(shifted - load).max() / load.max()

@@ -1,0 +1,40 @@
+"""Writes the verification page from the rows of verification.csv."""
+from pathlib import Path
+
+from verify_checks import CASES
+
+TOP = """# Verification
+
+<!-- Written by tools/verify.py --page: change it there. -->
+
+The founding paper's examples and what must hold beside them, computed by this program. `make verify` runs the short
+cases (minutes), `make validate` all of them; both write the rows below as CSV. A row passes if the computed value is
+within the tolerance of the reference; the reference is theory or the paper, the tolerance was fixed before the runs.
+Rows without tolerance are information. The misprints of the paper are in [the errata](../theory/errata.md); dimensions that the paper's lost figures held
+are reconstructed, and each [example](../../examples) says which.
+"""
+
+
+def shown(text):
+    return "" if text in ("nan", "inf") else text
+
+
+def write_page(path, rows, checks):
+    lines = [TOP]
+    failed = [r for r in rows if r[5] != "true"]
+    lines.append(f"{len(rows)} rows, {len(failed)} outside their tolerance" + (" (marked **no**)." if failed else ".") + "\n")
+    for name, case in CASES.items():
+        of_case = [(r, c) for r, c in zip(rows, checks) if r[0] == name]
+        if not of_case:
+            continue
+        lines += [f"## {case.title}", "", case.about, "", "| quantity | paper | reference | computed | tolerance | within |",
+                  "|---|---|---|---|---|---|"]
+        for row, check in of_case:
+            within = "" if row[4] == "inf" else "yes" if row[5] == "true" else "**no**"
+            lines.append(f"| {row[1]} | {check.paper} | {shown(row[2])} | {shown(row[3])} | {shown(row[4])} | {within} |")
+        lines.append("")
+        for number in case.figures:
+            if (Path(path).parent / "figures" / f"fig{number}.png").exists():
+                lines += [f"![Figure {number}](figures/fig{number}.png)", ""]
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text("\n".join(lines), encoding="utf-8")

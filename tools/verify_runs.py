@@ -1,0 +1,181 @@
+"""The runs behind the verification page and the figures: which deck, which changes, and a cache of run folders.
+
+A run folder is used again if it was made by the same program from the same deck with the same changes; its file
+`made_from` says so. Every run takes one thread: several runs at a time use the machine better, and results do not
+depend on the number of threads.
+"""
+import filecmp
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import fissura_io as io
+
+ROOT = Path(__file__).resolve().parent.parent
+EXAMPLES = ROOT / "examples"
+
+
+class RunFailed(Exception):
+    """A run that a row needs is not there; the text says why."""
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One run. `cost`: seconds on one quiet core, about; the dear ones start first."""
+    deck: str
+    changes: tuple = ()
+    until: float = 0
+    cost: float = 1
+    long: bool = False
+    threads: int = 1
+
+
+def prism_runs():
+    cells = {"A": "[10,2,2]", "B": "[20,4,4]"}
+    cost = {"A": 1, "B": 12}
+    for mesh, of_mesh in cells.items():
+        change = f"mesh.box.0.cells={of_mesh}"
+        yield f"prism_{mesh}", Spec("01_tension_prism/case.toml", (change, "concrete.0.joints=false"), cost=cost[mesh] / 5)
+        for p in (20, 60, 100):
+            yield f"prism_{mesh}_{p}", Spec("01_tension_prism/case.toml", (change, f"concrete.0.penalty={p}"),
+                                            cost=cost[mesh] * (p / 20) ** 0.5)
+    yield "prism_B_20_edge", Spec("01_tension_prism/case.toml", ("mesh.box.0.cells=[20,4,4]", 'concrete.0.h="0.05 m"'),
+                                  cost=12)
+
+
+def self_weight_runs():
+    deck = "02_self_weight_beam/case.toml"
+    for mesh, cells, cost in (("A", "[12,1,4]", 1), ("B", "[18,1,6]", 2), ("C", "[24,2,8]", 10)):
+        yield f"self_weight_{mesh}", Spec(deck, (f"mesh.box.0.cells={cells}",), cost=cost)
+    for p in (20, 60, 100):
+        yield f"self_weight_C_{p}", Spec(deck, ("concrete.0.joints=true", f"concrete.0.penalty={p}"),
+                                         cost=50 * (p / 20) ** 0.5, long=p > 20)
+    # Figure 17: only the viscosity of the paper, 1.6 % of critical, brings the beam to rest.
+    yield "self_weight_C_viscous", Spec(deck, ('run.mass_damping="0 1/s"', 'concrete.0.mu_bar="7e6 Pa s"',
+                                               'run.end_time="3 s"', "output.history_points=3000"), cost=400, long=True)
+
+
+def tie_runs():
+    for p in (20, 60, 100):
+        yield f"elastic_tie_{p}", Spec("03_elastic_tie/case.toml", (f"concrete.0.penalty={p}",), cost=4 * (p / 20) ** 0.5)
+    deck = "04_tie_to_failure/case.toml"
+    for mesh, cells, cost in (("A", 4, 2), ("B", 8, 5), ("C", 12, 12), ("D", 16, 20)):
+        change = f"mesh.box.0.cells=[{cells},3,3]"
+        yield f"tie_{mesh}", Spec(deck, (change,), cost=cost)
+        yield f"tie_{mesh}_elastic", Spec(deck, (change, "bars.between_cracks=elastic"), until=0.05, cost=cost / 3)
+    yield "tie_A_two_threads", Spec(deck, ("mesh.box.0.cells=[4,3,3]",), cost=2, threads=2)
+
+
+def beam_runs():
+    demo = "00_demo_beam/case.toml"
+    yield "demo", Spec(demo, cost=40)
+    # 8 mm bars 1e-3 of the element size (about 60 mm) away from where they are.
+    yield "demo_shifted", Spec(demo, ('bar.0.points=[["0 m","20.06 mm","25.06 mm"],["1.2 m","20.06 mm","25.06 mm"]]',),
+                               until=0.09, cost=20)
+    for mesh in ("case", "unstructured"):
+        yield f"compression_{mesh}", Spec(f"07_compression_prism/{mesh}.toml", cost=10)
+    four = "06_four_point_beam/case.toml"
+    yield "four_point", Spec(four, cost=900, long=True)
+    yield "four_point_60", Spec(four, ("concrete.0.penalty=60",), cost=1600, long=True)
+    yield "four_point_unstructured", Spec("06_four_point_beam/unstructured.toml", cost=1500, long=True)
+
+
+def all_runs():
+    specs = {}
+    for family in (prism_runs, self_weight_runs, tie_runs, beam_runs):
+        specs.update(family())
+    return specs
+
+
+def key_of(spec, program):
+    """What a run folder was made from: program, deck, the other files beside the deck that it may read, changes."""
+    deck = EXAMPLES / spec.deck
+    digest = hashlib.sha256(Path(program).read_bytes())
+    for path in [deck, *sorted(p for p in deck.parent.iterdir() if p.suffix in (".geo", ".msh"))]:
+        digest.update(path.read_bytes())
+    digest.update(repr((spec.changes, spec.until, spec.threads)).encode())
+    return digest.hexdigest()
+
+
+class Runs:
+    def __init__(self, program, folder, jobs=0, only_cached=False):
+        self.program = Path(program).resolve()
+        self.folder = Path(folder)
+        self.jobs = jobs or os.cpu_count() or 1
+        self.only_cached = only_cached
+        self.specs = all_runs()
+        self.failed = {}
+
+    def path(self, name):
+        return self.folder / name
+
+    def is_cached(self, name):
+        made_from = self.path(name) / "made_from"
+        return made_from.exists() and made_from.read_text(encoding="utf-8") == key_of(self.specs[name], self.program)
+
+    def command(self, name, *more):
+        spec = self.specs[name]
+        command = [str(self.program), "run", str(EXAMPLES / spec.deck), "--quiet", "--force", "--threads", str(spec.threads)]
+        for change in spec.changes:
+            command += ["--set", change]
+        return command + list(more)
+
+    def make(self, names):
+        """Makes what is not cached. Whatever goes wrong is kept and told by `get`."""
+        if not self.program.is_file():
+            self.failed = dict.fromkeys(names, f"{self.program}: no such program")
+            return
+        wanted = [n for n in names if not self.is_cached(n)]
+        if self.only_cached:
+            self.failed.update(dict.fromkeys(wanted, "not run"))
+            return
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with ThreadPoolExecutor(self.jobs) as pool:
+            list(pool.map(self.make_one, sorted(wanted, key=lambda n: -self.specs[n].cost)))
+
+    def make_one(self, name):
+        spec, folder = self.specs[name], self.path(name)
+        key = key_of(spec, self.program)
+        command = self.command(name, "--out", str(folder), *(["--until", str(spec.until)] if spec.until else []))
+        print(f"running {name}", file=sys.stderr, flush=True)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=600 + 20 * spec.cost)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            self.failed[name] = f"{name}: {error}"
+            return
+        if done.returncode != 0:
+            self.failed[name] = f"{name}: exit code {done.returncode}: {done.stderr.strip()}"
+            return
+        (folder / "made_from").write_text(key, encoding="utf-8")
+
+    def adopt(self, name, source):
+        """Takes a finished run made by hand, if its echo of the deck is what this program makes of it."""
+        folder = self.path(name)
+        with tempfile.TemporaryDirectory() as scratch:
+            echo = Path(scratch) / "echo"
+            done = subprocess.run(self.command(name, "--out", str(echo), "--walltime", "1e-9"), capture_output=True, text=True)
+            if done.returncode != 0:
+                raise RunFailed(f"{name}: {done.stderr.strip()}")
+            if not filecmp.cmp(echo / "case.toml", Path(source) / "case.toml", shallow=False):
+                raise RunFailed(f"{source} was made from another deck than {name}")
+        status = json.loads((Path(source) / "run.json").read_text(encoding="utf-8"))["status"]
+        if status != "complete":
+            raise RunFailed(f"{source}: the run is {status}")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(source, folder)
+        (folder / "made_from").write_text(key_of(self.specs[name], self.program), encoding="utf-8")
+
+    def get(self, name):
+        if name in self.failed:
+            raise RunFailed(self.failed[name])
+        if not self.path(name).is_dir():
+            raise RunFailed(f"{name}: not run")
+        return io.Run(self.path(name))
