@@ -32,7 +32,10 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::s
     int const from = m.bonding.start[c], to = m.bonding.start[c + 1], first = m.bonding.node[from];
     std::size_t const tet = static_cast<std::size_t>(first / 4);
     double const inverse = m.tets.inverse_mass[model::at(tet, first % 4, 4)], mass = 1 / inverse;
-    double const ratio = m.tets.weight_ratio[tet];
+    double weighing = 0; // the members may be scaled differently: gravity acts on the sum of their real masses
+    for (int i = from; i < to; ++i)
+      weighing += m.mass[m.bonding.node[i]] * m.tets.weight_ratio[static_cast<std::size_t>(m.bonding.node[i] / 4)];
+    double const ratio = weighing * inverse;
     for (int r = 0; r < 3; ++r) {
       double f = 0;
       for (int i = from; i < to; ++i) f += pass.corner_force[4 * m.bonding.node[i] + r];
