@@ -47,12 +47,21 @@ void note_assumptions(Model const& m, BuildReport& report) {
   }
 }
 
+/// Local damping adds at most its share alpha to the force that pulls a node back, so omega^2 grows by up to 1 + alpha.
+double damping_share(Model const& m) {
+  double alpha = 0;
+  for (auto const& s : m.stages) alpha = std::max(alpha, s.local_damping);
+  return std::sqrt(1 + alpha);
+}
+
 void choose_step(Model& m) {
   auto const& run = m.source.run;
-  if (run.least_dt > 0) model::scale_masses(m, step::mass_factors(m, run.least_dt / run.dt_factor));
+  double const share = damping_share(m);
+  if (run.least_dt > 0) model::scale_masses(m, step::mass_factors(m, share * run.least_dt / run.dt_factor));
   auto const stable = step::stable_step(m);
-  m.dt = run.dt > 0 ? run.dt : run.dt_factor * stable.dt;
-  m.dt_limiter = run.dt > 0 ? fmt::format("given in the deck; stable step {:.4g} s by {}", stable.dt, stable.limiter)
+  double const limit = stable.dt / share;
+  m.dt = run.dt > 0 ? run.dt : run.dt_factor * limit;
+  m.dt_limiter = run.dt > 0 ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
                             : stable.limiter;
 }
 
