@@ -74,20 +74,29 @@ std::pair<Vec3, Vec3> across(Vec3 along) {
   return {a, cross(along, a)};
 }
 
-/// Joints met by the gauge's line, moved by a hair so that it does not run through mesh points.
-void resolve_crossings(Model const& m, Gauge& g) {
-  auto const [a, b] = across(g.along);
-  double const hair = 1e-4 * g.length;
-  Vec3 const shift = hair * a + 0.618 * hair * b;
+/// Joints met by the gauge's line moved by `shift`.
+std::vector<Gauge::Crossing> crossings_of(Model const& m, Gauge const& g, Vec3 shift) {
+  std::vector<Gauge::Crossing> found;
   for (int i = 0; i < m.joints.count; ++i) {
     auto const& joint = m.joints.joints[i];
     std::array<Vec3, 3> x;
     for (int k = 0; k < 3; ++k) x[k] = mean_position(m, {joint.node_a[k]});
     Gauge::Crossing c{i, {}};
-    if (crosses(g.spec.from + shift, g.spec.to + shift, x, c.weight)) g.crossings.push_back(c);
+    if (crosses(g.spec.from + shift, g.spec.to + shift, x, c.weight)) found.push_back(c);
   }
-  if (g.crossings.empty())
-    throw core::InputError(g.spec.place, fmt::format("the line of gauge `{}` crosses no joint of the mesh", g.spec.name));
+  return found;
+}
+
+/// The line is moved by a hair so that it does not run through mesh points; to the side where there is concrete, since
+/// gauges often lie on the surface.
+void resolve_crossings(Model const& m, Gauge& g) {
+  auto const [a, b] = across(g.along);
+  double const hair = 1e-4 * g.length;
+  for (auto const& [p, q] : {std::pair{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}) {
+    g.crossings = crossings_of(m, g, p * hair * a + q * 0.618 * hair * b);
+    if (!g.crossings.empty()) return;
+  }
+  throw core::InputError(g.spec.place, fmt::format("the line of gauge `{}` crosses no joint of the mesh", g.spec.name));
 }
 
 void resolve_bar(Model const& m, Gauge& g) {
