@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include "fissura/sim/clock.hpp"
+#include "fissura/sim/progress.hpp"
+
+namespace fissura::sim {
+namespace {
+
+// Requirement: Due fires at 0 and then once per interval, however long the steps are.
+TEST(Due, fires_once_per_interval) {
+  Due due(0.1);
+  int fired = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    double const t = 1e-3 * i;
+    if (!due.at(t)) continue;
+    ++fired;
+    due.done(t);
+    EXPECT_FALSE(due.at(t));
+  }
+  EXPECT_EQ(fired, 11);
+  Due coarse(0.1);
+  fired = 0;
+  for (double t = 0; t < 1.01; t += 0.25)
+    if (coarse.at(t)) ++fired, coarse.done(t);
+  EXPECT_EQ(fired, 5);
+}
+
+// Requirement: an interval of 0 or less never fires.
+TEST(Due, can_be_off) {
+  EXPECT_FALSE(Due(0).at(0));
+  EXPECT_FALSE(Due(-1).at(5));
+}
+
+// Requirement: rounding of multiples neither skips nor doubles a firing over many intervals.
+TEST(Due, does_not_drift) {
+  double const dt = 1.0 / 3000;
+  Due due(1.0 / 300);
+  int fired = 0;
+  for (int i = 0; i < 30000; ++i)
+    if (due.at(i * dt)) {
+      EXPECT_EQ(i % 10, 0);
+      ++fired;
+      due.done(i * dt);
+    }
+  EXPECT_EQ(fired, 3000);
+}
+
+// Requirement: durations read in the largest fitting units.
+TEST(Progress, durations_are_readable) {
+  EXPECT_EQ(readable_duration(12.2), "12 s");
+  EXPECT_EQ(readable_duration(200), "3 min 20 s");
+  EXPECT_EQ(readable_duration(3720), "1 h 02 min");
+}
+
+// Requirement: the time left comes from the speed over the window: at steady progress it is what remains.
+TEST(Progress, estimates_the_time_left) {
+  Progress p;
+  EXPECT_LT(p.eta(0), 0);
+  double left = -1;
+  while (p.elapsed() < 0.05) left = p.eta(p.elapsed() / 10); // 10 s for the whole
+  EXPECT_NEAR(left, 9.95, 1);
+}
+
+} // namespace
+} // namespace fissura::sim
