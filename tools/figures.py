@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
+from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import picture
@@ -34,12 +35,20 @@ def axes_of(xlabel, ylabel, size=(7, 4.5)):
     return figure, axes
 
 
+def shrink(out):
+    """A palette of 256 colours instead of 16 million: these files are kept in the repository."""
+    with Image.open(out) as image:
+        small = image.convert("RGB").quantize(256, dither=Image.Dither.NONE)
+    small.save(out, optimize=True)
+
+
 def save(figure, axes, title, out):
     axes.set_title(title, fontsize=11)
     axes.legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(out)
     plt.close(figure)
+    shrink(out)
 
 
 def pull(axes, runs, curves, stiffness):
@@ -80,10 +89,10 @@ def fig14(runs, out):
 def fig17(runs, out):
     """Oscillation of the beam under its own weight with the paper's viscosity."""
     figure, axes = axes_of("time [s]", "deflection at midspan [mm]")
-    run = runs.get("self_weight_C_viscous")
-    axes.plot(measure.column(run, "time"), 1e3 * measure.column(run, "deflection"), lw=0.7, label="mesh C, mu = 7e6 Pa s")
+    run = runs.get("self_weight_A_viscous")
+    axes.plot(measure.column(run, "time"), 1e3 * measure.column(run, "deflection"), lw=0.7, label="mesh A, viscosity 7e6 Pa s")
     axes.axhline(1e3 * measure.TIMOSHENKO, label="Timoshenko at rest: 0.729 mm", **THEORY)
-    axes.axhline(0.723, color="C1", lw=1, ls=":", label="paper at rest: 0.723 mm")
+    axes.axhline(0.723, color="C1", lw=1, ls=":", label="paper's mesh C at rest: 0.723 mm")
     axes.set_xlim(0)
     save(figure, axes, "Figure 17: beam under its own weight", out)
 
@@ -101,26 +110,26 @@ SIZES = {"A": "30 cm", "B": "15 cm", "C": "10 cm", "D": "7.5 cm"}
 def fig21(runs, out):
     """Tie to failure: average stress over average strain."""
     figure, axes = axes_of("average strain [%]", "average stress F/A [MPa]")
+    inset = axes.inset_axes([0.36, 0.10, 0.46, 0.50])
     for i, (mesh, size) in enumerate(SIZES.items()):
         run = runs.get(f"tie_{mesh}")
-        strain = (measure.column(run, "u_b") - measure.column(run, "u_a")) / 0.6
+        strain = 100 * measure.column(run, "elongation")
         stress = measure.column(run, "force") / measure.TIE_AREA / 1e6
         # After the rupture the halves recoil: not part of the curve.
         end = measure.first(measure.column(run, "bars_broken") > 0) or len(strain)
-        axes.plot(100 * strain[:end], stress[:end], lw=0.9, color=f"C{i}", label=f"mesh {mesh}, h = {size}")
+        axes.plot(strain[:end], stress[:end], lw=0.9, color=f"C{i}", label=f"mesh {mesh}, h = {size}")
+        inset.plot(strain[:end], stress[:end], lw=0.8, color=f"C{i}")
+    right = axes.get_xlim()[1]
     for value, text in ((3.18, "cracking 3.18"), (5.30, "yield 5.30"), (6.50, "ultimate 6.50")):
         axes.axhline(value, **{**THEORY, "lw": 0.8})
-        axes.text(axes.get_xlim()[1], value + 0.07, text + " MPa", ha="right", fontsize=8)
-    axes.set_xlim(0)
+        axes.text(1.04 * right, value + 0.08, text + " MPa", ha="right", fontsize=8)
+    axes.set_xlim(0, 1.05 * right)
     axes.set_ylim(0, 7.4)
-    inset = axes.inset_axes([0.40, 0.12, 0.42, 0.45])
-    for line in axes.get_lines()[:4]:
-        inset.plot(*line.get_data(), lw=0.8, color=line.get_color())
-    inset.plot([0, 0.252], [0, 5.3], label="bare bar", **THEORY)
+    inset.plot([0, 0.252], [0, 5.3], **THEORY)
     inset.set_xlim(0, 0.3)
     inset.set_ylim(0, 6)
     inset.tick_params(labelsize=7)
-    inset.set_title("up to yield; dashed: bare bar", fontsize=7)
+    inset.set_title("up to yield; dashed: the bare bar", fontsize=7)
     save(figure, axes, "Figure 21: tie to failure, four meshes", out)
 
 
@@ -149,6 +158,14 @@ def crack_pictures(scenes, titles, heading, out):
     figure.text(0.5, 1 - 0.28 / total, heading, ha="center")
     figure.savefig(out)
     plt.close(figure)
+    shrink(out)
+
+
+def wide(scene, least):
+    """Only the cracks that are open by at least so many millimetres: the hairline ones along the bar hide the others."""
+    shown = scene.opening >= least
+    scene.cracks, scene.opening = scene.cracks[shown], scene.opening[shown]
+    return scene
 
 
 def fig22(runs, out):
@@ -160,10 +177,10 @@ def fig22(runs, out):
         broken = measure.first(measure.column(run, "bars_broken") > 0)
         until = measure.column(run, "time")[broken] if broken else np.inf
         times = [t for t, _ in read_pvd(run.folder / "cracks.pvd") if t < until]
-        moment, scene = picture.make_scene(run, times[-1], 1.0, 0.2)
-        scenes.append(scene)
+        moment, scene = picture.make_scene(run, times[-1], 1.0, 0.5)
+        scenes.append(wide(scene, 0.5))
         titles.append(f"mesh {mesh}, h = {size}, t = {moment:.3f} s")
-    crack_pictures(scenes, titles, "Figure 22: cracks of the tie before the bar ruptures (displacements x 1)", out)
+    crack_pictures(scenes, titles, "Figure 22: cracks of the tie wider than 0.5 mm before the bar ruptures", out)
 
 
 def beam_curve(run):
@@ -220,25 +237,27 @@ def fig32(runs, out):
 
 
 def fig33(runs, out):
-    """Four-point beam: cracks just before the collapse."""
-    run, label, _ = next((r for r in beam_runs(runs)[::-1]))
-    load, mean, w = beam_curve(run)
-    time = measure.column(run, "time")[-len(mean):]
-    top = time[int(np.argmax(np.where(time < time[-1] - measure.SHOCK / 2, mean, 0)))]
-    frames = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
-    chosen = [t for t in frames if t <= top][-3:] + [frames[-1]]
-    scenes, titles = [], []
-    for t in chosen:
-        moment, scene = picture.make_scene(run, t, 5.0, 0.5)
-        scenes.append(scene)
-        state = "collapse" if t == frames[-1] else f"load {np.interp(moment, time, mean):.1f} kN"
-        titles.append(f"{state}, deflection {np.interp(moment, time, w):.1f} mm")
-    crack_pictures(scenes, titles, f"Figure 33: cracks before the collapse, {label} (displacements x 5)", out)
+    """Four-point beam: cracks just before the collapse; one picture per mesh."""
+    for run, label, _ in beam_runs(runs):
+        if "60 E" in label:
+            continue
+        _, mean, w = beam_curve(run)
+        time = measure.column(run, "time")[-len(mean):]
+        top = time[int(np.argmax(np.where(time < time[-1] - measure.SHOCK / 2, mean, 0)))]
+        frames = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
+        scenes, titles = [], []
+        for t in [t for t in frames if t <= top][-3:] + [frames[-1]]:
+            moment, scene = picture.make_scene(run, t, 5.0, 0.5)
+            scenes.append(scene)
+            state = "collapse" if t == frames[-1] else f"load {np.interp(moment, time, mean):.1f} kN"
+            titles.append(f"{state}, deflection {np.interp(moment, time, w):.1f} mm")
+        heading = f"Figure 33: cracks before the collapse, {label} (displacements x 5)"
+        crack_pictures(scenes, titles, heading, out.with_stem(out.stem + "_unstructured") if "unstructured" in label else out)
 
 
 FIGURES = {13: (fig13, ("prism_A", "prism_B", "prism_A_20", "prism_B_20")),
            14: (fig14, tuple(f"prism_B_{p}" for p in (20, 60, 100))),
-           17: (fig17, ("self_weight_C_viscous",)),
+           17: (fig17, ("self_weight_A_viscous",)),
            19: (fig19, tuple(f"elastic_tie_{p}" for p in (20, 60, 100))),
            21: (fig21, tuple(f"tie_{m}" for m in "ABCD")),
            22: (fig22, tuple(f"tie_{m}" for m in "ABCD")),
@@ -262,7 +281,7 @@ def main():
     needed = list(dict.fromkeys(name for n in chosen for name in FIGURES[n][1]))
     dear = [name for name in needed if runs.specs[name].long and not arguments.long]
     runs.make([name for name in needed if name not in dear])
-    runs.failed.update({name: f"{name} takes long: make figures LONG=1, or --long" for name in dear if not runs.is_cached(name)})
+    runs.failed.update({name: f"{name} takes long: add --long" for name in dear if not runs.is_cached(name)})
     Path(arguments.out).mkdir(parents=True, exist_ok=True)
     for number in chosen:
         out = Path(arguments.out) / f"fig{number}.png"

@@ -35,6 +35,6 @@ def write_page(path, rows, checks):
         lines.append("")
         for number in case.figures:
             if (Path(path).parent / "figures" / f"fig{number}.png").exists():
-                lines += [f"![Figure {number}](figures/fig{number}.png)", ""]
+                lines += [f"![Figure {str(number).replace('_', ', ')}](figures/fig{number}.png)", ""]
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     Path(path).write_text("\n".join(lines), encoding="utf-8")

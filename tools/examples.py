@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""Keeps what stands beside the examples' decks: expected.csv, a thinned history, and picture.png.
+
+    examples.py --program build/fissura                 compare fresh runs with expected.csv; exits with 1 if one has left it
+    examples.py --program build/fissura --update        write expected.csv and picture.png anew
+    examples.py --program build/fissura --only 01       some of them; --long for those that take long
+"""
+import argparse
+import csv
+import shutil
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import figures
+import picture
+from fissura_io import BadFile, History, read_pvd
+from verify_runs import EXAMPLES, ROOT, RunFailed, Runs
+
+ROWS = 60
+COUNTS = ("joints_damaged", "joints_broken", "bar_joints_yielded", "bars_broken")
+
+
+@dataclass(frozen=True)
+class Example:
+    run: str                   # name in verify_runs.all_runs(): the deck as it stands
+    columns: tuple             # of the history; the counts are added
+    figure: int = 0            # picture.png is this figure of the paper, or
+    cracks_before: str = ""    # the cracks in the last frame before this count leaves 0 ("" = the last frame)
+    tolerance: float = 0.02    # of a column's range, for the mean difference; the scatter of cracking runs
+
+
+EXAMPLE = {
+    "00_demo_beam": Example("demo", ("load", "deflection", "steel_stress", "crack_width")),
+    "01_tension_prism": Example("prism_A_20", ("force", "u_right", "u_left"), figure=13, tolerance=1e-6),
+    "02_self_weight_beam": Example("self_weight_C", ("deflection",), figure=17, tolerance=1e-6),
+    "03_elastic_tie": Example("elastic_tie_20", ("force", "u_right", "u_left", "bar_stress"), figure=19, tolerance=1e-6),
+    "04_tie_to_failure": Example("tie_D", ("force", "elongation", "u_a", "u_b", "bar_strain", "slip"),
+                                 cracks_before="bars_broken"),
+    "06_four_point_beam": Example("four_point", ("load", "deflection", "jack", "steel_stress")),
+    "07_compression_prism": Example("compression_case", ("load", "shortening")),
+}
+
+
+def thinned(history):
+    """Row numbers: evenly over the rows, first and last among them."""
+    rows = len(history["time"].values)
+    return np.unique(np.linspace(0, rows - 1, min(ROWS, rows)).round().astype(int))
+
+
+def write_expected(example, run, path):
+    history = run.history
+    names = [n for n in ("time", *example.columns, *COUNTS) if n in history.columns]
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow([f"{n} [{history[n].unit}]" for n in names])
+        for i in thinned(history):
+            out.writerow([f"{history[n].values[i]:.8g}" for n in names])
+
+
+def differences(example, run, path):
+    """Columns that have left the expected curve: name and mean difference over the range."""
+    expected, history = History(path), run.history
+    time = expected["time"].values
+    shared = time <= history["time"].values[-1]
+    if shared.mean() < 0.9:
+        yield "time", 1.0
+    for name in example.columns:
+        was = expected[name].values[shared]
+        now = np.interp(time[shared], history["time"].values, history[name].values)
+        difference = np.abs(now - was).mean() / max(np.ptp(was), 1e-300)
+        if difference > example.tolerance:
+            yield name, difference
+
+
+def write_picture(example, run, runs, name, path):
+    if example.figure:
+        drawn = ROOT / "docs" / "verification" / "figures" / f"fig{example.figure}.png"
+        if not drawn.exists():
+            figures.FIGURES[example.figure][0](runs, drawn)
+        shutil.copyfile(drawn, path)
+        return
+    times = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
+    if example.cracks_before:
+        broken = np.flatnonzero(run.history[example.cracks_before].values > 0)
+        if broken.size:
+            times = [t for t in times if t < run.history["time"].values[broken[0]]]
+    moment, scene = picture.make_scene(run, times[-1], "auto", 0.5)
+    picture.draw(scene, moment, name, 2, path)
+    figures.shrink(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Compares the examples with expected.csv, or writes it and picture.png.")
+    parser.add_argument("--program", default=str(ROOT / "build" / "fissura"))
+    parser.add_argument("--runs", default=str(ROOT / "build" / "verify"))
+    parser.add_argument("--update", action="store_true", help="write expected.csv and picture.png")
+    parser.add_argument("--only", action="append", metavar="NN", help="examples whose folder begins so")
+    parser.add_argument("--long", action="store_true", help="also those that take long")
+    parser.add_argument("--cached", action="store_true", help="make no runs")
+    parser.add_argument("--jobs", type=int, default=0)
+    arguments = parser.parse_args()
+    runs = Runs(arguments.program, arguments.runs, arguments.jobs, arguments.cached)
+    chosen = {n: e for n, e in EXAMPLE.items() if not arguments.only or n.startswith(tuple(arguments.only))}
+    if not arguments.long:
+        chosen = {n: e for n, e in chosen.items() if not runs.specs[e.run].long or runs.is_cached(e.run)}
+    runs.make([e.run for e in chosen.values()])
+    trouble = 0
+    for name, example in chosen.items():
+        expected = EXAMPLES / name / "expected.csv"
+        try:
+            run = runs.get(example.run)
+            if arguments.update:
+                write_expected(example, run, expected)
+                write_picture(example, run, runs, name, EXAMPLES / name / "picture.png")
+                print(f"{name}: written")
+                continue
+            left = list(differences(example, run, expected))
+            print(f"{name}: " + ("as expected" if not left else ", ".join(f"{c} differs by {d:.2g} of its range" for c, d in left)))
+            trouble += bool(left)
+        except (RunFailed, BadFile, OSError) as error:
+            print(f"{name}: {error}")
+            trouble += 1
+    sys.exit(1 if trouble else 0)
+
+
+if __name__ == "__main__":
+    main()
