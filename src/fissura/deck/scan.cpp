@@ -100,6 +100,10 @@ void check_bytes(std::string_view text, std::string const& file) {
       while (!c.done() && c.byte() != '\n') step(c);
     if (c.done()) return;
     if (ends_dotted_key(c.byte())) dots = 0;
+    // Bare keys and values are ASCII; beyond it toml++ 3.3 runs into undefined behaviour (U+FB26 to U+FEFE).
+    bool const byte_order_mark = c.at == 0 && c.sees("\xEF\xBB\xBF");
+    if (c.byte() >= 0x80 && !byte_order_mark)
+      c.refuse("a character that may stand only in quotes or in a comment");
     if (c.byte() == '.' && ++dots >= deepest_key)
       c.refuse(fmt::format("more than {} parts in a dotted key", deepest_key));
     step(c);

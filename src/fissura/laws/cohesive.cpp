@@ -56,10 +56,10 @@ double damage_at(CohesiveParams const& p, double f_s, double opening, double sli
   return length(dt, excess * f_s / p.shear_work);
 }
 
-Branches branches(CohesiveParams const& p, double kappa, double f_s) {
+Branches branches(CohesiveParams const& p, double kappa, double z, double f_s) {
   Branches b;
   b.kappa = kappa;
-  b.z = softening(kappa);
+  b.z = z;
   b.f_s = f_s;
   b.s_p = peak_sliding(p, f_s);
   b.s_r = p.shear_work / f_s;
@@ -240,8 +240,9 @@ Traction cohesive_traction(CohesiveParams const& p, CohesiveHistory& h, Separati
     if (p.mohr_coulomb) h.f_s = f_s;
     h.slip_1 = before.sliding_1, h.slip_2 = before.sliding_2; // friction starts without a jump
   }
-  Branches const old = branches(p, kappa_old, f_s);
-  Branches const b = h.kappa > kappa_old ? branches(p, h.kappa, f_s) : old;
+  Branches const old = branches(p, kappa_old, kappa_old > 0 ? h.z : 1, f_s);
+  if (h.kappa > kappa_old) h.z = softening(h.kappa);
+  Branches const b = h.kappa > kappa_old ? branches(p, h.kappa, h.z, f_s) : old;
   if (h.kappa > kappa_old) { // the fall of stored energy at fixed separation
     Separation const mid = middle(now, before);
     double const sliding = length(mid);
@@ -261,7 +262,8 @@ double cohesive_stored(CohesiveParams const& p, CohesiveHistory const& h, Separa
   double const sliding = length(now);
   if (!p.crackable) return 0.5 * p.k * (now.opening * now.opening + sliding * sliding);
   double const kappa = broken ? 1 : h.kappa;
-  Branches const b = branches(p, kappa, shear_strength(p, h, now.opening));
+  double const z = broken ? 0 : kappa > 0 ? h.z : 1;
+  Branches const b = branches(p, kappa, z, shear_strength(p, h, now.opening));
   double stored = normal_energy(p, b, now.opening) + shear_energy(p, b, sliding);
   if (kappa > 0 && has_friction(p, broken)) {
     double const e = length(now.sliding_1 - h.slip_1, now.sliding_2 - h.slip_2);

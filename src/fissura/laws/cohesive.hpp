@@ -52,6 +52,7 @@ CohesiveParams make_cohesive_params(CohesiveInput const& input);
 
 struct CohesiveHistory {
   double kappa = 0;              ///< largest damage D so far; 1 = this point has failed
+  double z = 1;                  ///< softening(kappa), kept because exp is dear
   double f_s = 0;                ///< shear strength frozen at first damage [Pa]; 0 = not frozen
   double slip_1 = 0, slip_2 = 0; ///< plastic part of the frictional sliding, tangential axes of the joint [m]
 };

@@ -2,6 +2,7 @@
 
 #include "fissura/loads/curve.hpp"
 #include "fissura/loads/loads.hpp"
+#include "fissura/parallel/parallel.hpp"
 
 namespace fissura::loads {
 
@@ -9,6 +10,8 @@ using model::Model;
 using state::State;
 
 namespace {
+
+constexpr std::size_t nodes_per_chunk = 512;
 
 /// Prescribed velocity at n + 1/2.
 double velocity_of(model::Prescribed const& p, Model const& m, State const& s) {
@@ -29,36 +32,56 @@ struct FreeStep {
   }
 };
 
+/// What imposing one prescribed component did to a range of its nodes.
+struct NodeSums {
+  double reaction = 0, kinetic = 0, gravity = 0, local_damping = 0;
+  NodeSums& operator+=(NodeSums const& b) {
+    reaction += b.reaction, kinetic += b.kinetic, gravity += b.gravity, local_damping += b.local_damping;
+    return *this;
+  }
+};
+
+NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep const& step, double before, double now,
+                double gravity, std::size_t begin, std::size_t end) {
+  NodeSums sum;
+  for (std::size_t i = begin; i < end; ++i) {
+    int const node = p.nodes[i];
+    double& v = s.v[4 * node + p.axis];
+    double const free = v, mass = m.mass[node], a = step.acceleration(before, free);
+    sum.reaction += mass * ((now - before) / step.dt + 0.5 * step.c * (before + now) - a);
+    sum.kinetic += 0.125 * mass * ((before + now) * (before + now) - (before + free) * (before + free));
+    sum.local_damping -= step.alpha * mass * std::abs(a) * std::abs(before) * step.dt;
+    sum.gravity += mass * m.tets.weight_ratio[node / 4] * gravity * (now - free) * step.dt;
+    s.u[4 * node + p.axis] += step.dt * (now - free);
+    v = now;
+  }
+  return sum;
+}
+
 } // namespace
 
 MotionEffects move_supports(Model const& m, State& s, Vec3 gravity_mean) {
   auto const& stage = current_stage(m, s);
   double const c = stage.mass_damping, dt = m.dt;
   FreeStep const step{1 - 0.5 * c * dt, 1 / (1 + 0.5 * c * dt), stage.local_damping, dt, c};
-  MotionEffects sum;
+  MotionEffects effects;
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
     auto const& p = m.prescribed[i];
     if (p.motion.stage > s.stage) continue; // its points are free until the stage begins
     double const before = s.prescribed_velocity[i], now = velocity_of(p, m, s);
-    double reaction = 0;
-    for (int const node : p.nodes) {
-      double& v = s.v[4 * node + p.axis];
-      double& u = s.u[4 * node + p.axis];
-      double const free = v, mass = m.mass[node];
-      double const a = step.acceleration(before, free);
-      reaction += mass * ((now - before) / dt + 0.5 * c * (before + now) - a);
-      sum.kinetic += 0.125 * mass * ((before + now) * (before + now) - (before + free) * (before + free));
-      sum.local_damping -= step.alpha * mass * std::abs(a) * std::abs(before) * dt;
-      sum.gravity += mass * m.tets.weight_ratio[node / 4] * gravity_mean[p.axis] * (now - free) * dt;
-      u += dt * (now - free);
-      v = now;
-    }
-    s.reaction[i] = reaction;
-    sum.work_done += 0.5 * reaction * before * dt;
-    sum.work_next += 0.5 * reaction * now * dt;
+    auto const sum = parallel::sum_chunks<NodeSums>(
+        p.nodes.size(), nodes_per_chunk, [&](std::size_t begin, std::size_t end) {
+          return impose(p, m, s, step, before, now, gravity_mean[p.axis], begin, end);
+        });
+    s.reaction[i] = sum.reaction;
     s.prescribed_velocity[i] = now;
+    effects.kinetic += sum.kinetic;
+    effects.gravity += sum.gravity;
+    effects.local_damping += sum.local_damping;
+    effects.work_done += 0.5 * sum.reaction * before * dt;
+    effects.work_next += 0.5 * sum.reaction * now * dt;
   }
-  return sum;
+  return effects;
 }
 
 } // namespace fissura::loads

@@ -1,6 +1,7 @@
 #pragma once
 // The only place that knows threads. Work is cut into chunks whose size never depends on the number of threads, and
 // sums are taken chunk by chunk in ascending order: the same bits on any number of threads.
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -37,10 +38,14 @@ void for_chunks(std::size_t n, std::size_t grain, Body const& body) {
 /// Sum of body(begin, end) over the chunks, added in ascending order.
 template <class Value, class Body>
 Value sum_chunks(std::size_t n, std::size_t grain, Body const& body) {
-  std::vector<Value> part(chunks(n, grain));
+  if (n <= grain) return n > 0 ? body(std::size_t{0}, n) : Value{};
+  std::size_t const count = chunks(n, grain);
+  std::array<Value, 256> few; // no allocation for what is summed in every step
+  std::vector<Value> many(count > few.size() ? count : 0);
+  Value* const part = many.empty() ? few.data() : many.data();
   for_chunks(n, grain, [&](std::size_t c, std::size_t begin, std::size_t end) { part[c] = body(begin, end); });
   Value total{};
-  for (auto const& p : part) total += p;
+  for (std::size_t c = 0; c < count; ++c) total += part[c];
   return total;
 }
 

@@ -1,5 +1,6 @@
 // Energy of the cohesive laws: work put in = stored + dissipated, on any path.
 #include "fissura/laws/cohesive.hpp"
+#include "fissura/laws/softening.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +152,7 @@ TEST(CohesiveEnergy, NoPathCreatesEnergy) {
 /// created.
 double loop_work(CohesiveParams const& p, double kappa, double fraction_o, double fraction_s) {
   Driver d{p};
-  d.h.kappa = kappa;
+  d.h.kappa = kappa, d.h.z = softening(kappa);
   double const o = p.o_p + fraction_o * kappa * p.o_r;
   double const s = 2 * p.f_s / p.k + fraction_s * kappa * p.shear_work / p.f_s;
   for (Separation to : {Separation{o, 0, 0}, {o, s, 0}, {0, s, 0}, {}}) d.go(to, 4000);
@@ -172,7 +173,7 @@ TEST(CohesiveEnergy, PaperLawCreatesEnergyInMixedMode) {
   EXPECT_NEAR(std::abs(loop_work(p, 0.3, 0.6, 0.6)), 18.488, 0.02);
   EXPECT_NEAR(std::abs(loop_work(p, 0.6, 0.6, 0.6)), 17.267, 0.02);
   Driver d{p};
-  d.h.kappa = 0.3;
+  d.h.kappa = 0.3, d.h.z = softening(0.3);
   double const o = p.o_p + 0.18 * p.o_r, s = 2 * p.f_s / p.k + 0.18 * p.shear_work / p.f_s;
   for (Separation to : {Separation{0, s, 0}, {o, s, 0}, {o, 0, 0}, {}}) d.go(to, 4000);
   EXPECT_NEAR(d.work, -18.488, 0.02); // more came out than went in

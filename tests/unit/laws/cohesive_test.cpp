@@ -141,7 +141,7 @@ TEST(Cohesive, FrictionOfACrackFacePair) {
 TEST(Cohesive, OpenCrackCarriesNothing) {
   auto const p = make_cohesive_params(concrete(true));
   CohesiveHistory h;
-  h.kappa = 1, h.f_s = 6e6;
+  h.kappa = 1, h.z = 0, h.f_s = 6e6;
   auto const t = at(p, h, {1e-5, 3e-5, -2e-5}, true);
   EXPECT_EQ(t.sigma, 0);
   EXPECT_EQ(t.tau_1, 0);
