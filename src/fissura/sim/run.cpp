@@ -9,6 +9,7 @@
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/output/json.hpp"
 #include "fissura/concrete/kernels.hpp"
+#include "fissura/loads/curve.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/clock.hpp"
@@ -131,7 +132,7 @@ class Run {
     if (options_.walltime > 0 && progress_.elapsed() > options_.walltime) return stop("stopped", "wall time used up");
     if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps) return stop("stopped", "max_steps reached");
     if (s_.time >= end_) {
-      if (options_.until > 0 && end_ < planned_time(m_)) return stop("stopped", "time of --until reached");
+      if (options_.until > 0 && end_ >= options_.until && end_ < planned_time(m_)) return stop("stopped", "time of --until reached");
       return true;
     }
     return false;
@@ -170,7 +171,7 @@ class Run {
     auto const& stage = m_.stages[s_.stage];
     double const since = s_.time - s_.stage_start[s_.stage];
     bool const quiet = stage.settle > 0 && energy_.internal() > 0 && energy_.kinetic < stage.settle * energy_.internal();
-    settled_ = quiet ? settled_ + 1 : 0;
+    settled_ = quiet && !loads_change(since) ? settled_ + 1 : 0;
     if (since < stage.duration && settled_ < 3) return;
     if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
       if (settled_ >= 3) end_ = s_.time;
@@ -179,7 +180,28 @@ class Run {
     settled_ = 0;
     ++s_.stage;
     s_.stage_start[s_.stage] = s_.time;
+    end_with_the_last_stage();
     log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
+  }
+
+  /// Whether a load of the present stage is still on its way: a slow ramp is quiet, but not over.
+  bool loads_change(double since) const {
+    auto changes = [&](model::TimedCurve const& c) {
+      bool const mine = c.stage == s_.stage, of_run = c.stage < 0;
+      return (mine || of_run) && (mine ? since : s_.time) < loads::length_of(c.curve);
+    };
+    bool any = m_.gravity.on && changes(m_.gravity.curve);
+    for (auto const& p : m_.prescribed) any |= changes(p.motion);
+    for (auto const& f : m_.forces) any |= changes(f.curve);
+    return any;
+  }
+
+  /// A stage that has settled early brings the end of the run forward, unless the deck names an end time.
+  void end_with_the_last_stage() {
+    if (m_.source.run.end_time > 0) return;
+    double end = s_.time;
+    for (auto i = static_cast<std::size_t>(s_.stage); i < m_.stages.size(); ++i) end += m_.stages[i].duration;
+    end_ = options_.until > 0 ? std::min(end, options_.until) : end;
   }
 
   void show_progress() {
@@ -203,12 +225,15 @@ class Run {
     fields_->write(m_, s_);
     history_->close();
     write_summary(result);
-    double const ratio = monitor_.kinetic_ratio();
     auto const level = result.status == "failed" ? spdlog::level::err : spdlog::level::info;
     log_->log(level, "{}: {} (t = {:.5g} s, {} steps, {})", result.status, result.reason, s_.time, s_.step,
               readable_duration(progress_.elapsed()));
-    log_->info("energy residual {:+.3g} %, largest kinetic/internal energy {:.3g}: {}", 100 * monitor_.residual(), ratio,
-               ratio < 0.05 ? "quasi-static" : "inertia matters (expected in dynamic cases; else load more slowly)");
+    double const quiet = monitor_.quiet_share(), imbalance = monitor_.imbalance();
+    log_->info("energy residual {:+.3g} % of the energy put in", 100 * monitor_.residual());
+    log_->info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out of balance by {:.2g} %: {}",
+               100 * quiet, monitor_.kinetic_ratio(), 100 * imbalance,
+               quiet > 0.9 && imbalance < 0.05 ? "quasi-static"
+                                               : "inertia matters (expected in dynamic cases; else load more slowly)");
     if (monitor_.crossed_warning())
       log_->warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before trusting the run",
                  100 * m_.source.run.residual_warn);
@@ -245,6 +270,8 @@ class Run {
     j["energy"] = energy;
     j["energy_residual"] = monitor_.residual();
     j["max_kinetic_ratio"] = monitor_.kinetic_ratio();
+    j["quasi_static_share"] = monitor_.quiet_share();
+    j["force_imbalance"] = monitor_.imbalance();
     j["state_hash"] = fmt::format("{:016x}", state_hash(m_, s_));
     j["stable_dt_limiter"] = m_.dt_limiter;
     j["added_mass"] = m_.added_mass;
