@@ -1,0 +1,243 @@
+#include <gtest/gtest.h>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/sim/check.hpp"
+#include "fissura/sim/fields.hpp"
+#include "fissura/sim/monitor.hpp"
+#include "fissura/sim/template_case.hpp"
+#include "fissura/step/stable_step.hpp"
+#include "support/cases.hpp"
+#include "unit/output/temporary_folder.hpp"
+
+namespace fissura::support {
+namespace {
+
+/// A bonded block and a jointed block that share a side.
+model::Case half_bonded() {
+  auto c = box_case({2, 2, 2}, {0.2, 0.2, 0.2}, 1);
+  c.mesh.boxes = {box_of_cells("solid", {}, {0.2, 0.2, 0.2}, {2, 2, 2}),
+                  box_of_cells("cracking", {0.2, 0, 0}, {0.4, 0.2, 0.2}, {2, 2, 2})};
+  c.concretes.push_back(c.concretes[0]);
+  c.concretes[0].name = "solid", c.concretes[0].groups = {"solid"}, c.concretes[0].joints = false;
+  c.concretes[1].name = "cracking", c.concretes[1].groups = {"cracking"};
+  return c;
+}
+
+// Requirement: tets of a bonded material share their nodes, those of a jointed one own theirs, and the side between
+// both has joints.
+TEST(MixedMaterials, are_joined_where_they_meet) {
+  Stepper x(half_bonded());
+  int inside_solid = 0, between = 0, inside_cracking = 0;
+  for (std::size_t f = 0; f < x.m.adjacency.shared.size(); ++f) {
+    auto const& face = x.m.adjacency.shared[f];
+    int const cracking = x.m.material_of_tet[face.a.tet] + x.m.material_of_tet[face.b.tet];
+    bool const joined = x.m.joint_of_shared_face[f] >= 0;
+    EXPECT_EQ(joined, cracking > 0);
+    (cracking == 0 ? inside_solid : cracking == 1 ? between : inside_cracking) += 1;
+  }
+  EXPECT_EQ(between, 8);
+  EXPECT_EQ(x.m.joint_count(), between + inside_cracking);
+  EXPECT_GT(inside_solid, 0);
+  for (std::size_t c = 0; c + 1 < x.m.bonding.start.size(); ++c)
+    for (int i = x.m.bonding.start[c] + 1; i < x.m.bonding.start[c + 1]; ++i)
+      EXPECT_EQ(x.m.material_of_tet[x.m.bonding.node[i] / 4], 0);
+}
+
+// Requirement: in a mixed body bonded copies move as one to the bit, and elastic energy and momentum are kept.
+TEST(MixedMaterials, move_as_one_body) {
+  Stepper x(half_bonded());
+  for (int n = 0; n < node_count(x.m); ++n) {
+    Vec3 const X = position(x.m, n);
+    set_node(x.s.v, n, {1e-3 * std::cos(3.14159265 * X.x / 0.4), 0, 0});
+  }
+  double const start = x.read().held();
+  for (int i = 0; i < 100; ++i) {
+    x.advance(19);
+    EXPECT_NEAR(x.read().held(), start, 0.01 * start);
+  }
+  EXPECT_EQ(concrete::count_joints(x.m, x.s).damaged, 0);
+  for (std::size_t c = 0; c + 1 < x.m.bonding.start.size(); ++c)
+    for (int i = x.m.bonding.start[c]; i < x.m.bonding.start[c + 1]; ++i)
+      EXPECT_EQ(at_node(x.s.u, x.m.bonding.node[i]), at_node(x.s.u, x.m.bonding.node[x.m.bonding.start[c]]));
+}
+
+// Requirement: the masses of nodes sum to that of concrete and steel; the report names assumed values.
+TEST(BuildModel, masses_and_notes) {
+  auto c = tie_case({4, 2, 2}, 1, 1);
+  c.concretes[0].G_f = 0;
+  Stepper x(c);
+  double mass = 0;
+  for (double const m : x.m.mass) mass += m;
+  double const steel = 7850 * 0.6 * 3.14159265358979 * 0.012 * 0.012 / 4;
+  EXPECT_NEAR(mass, 2500 * 0.6 * 0.01 + steel, 1e-9 * mass);
+  EXPECT_NEAR(x.m.total_mass, mass, 1e-9 * mass);
+  EXPECT_NEAR(x.report.embedding.steel_mass(), steel, 1e-9 * steel);
+  auto noted = [&](char const* what) {
+    for (auto const& n : x.report.notes)
+      if (n.find(what) != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(noted("G_f = 73 f_cm^0.18 = 134.6"));
+  EXPECT_TRUE(noted("Mohr-Coulomb"));
+  EXPECT_TRUE(noted("worst plane"));
+}
+
+// Requirement: dt is dt_factor of the stable step, or as given.
+TEST(BuildModel, chooses_the_step) {
+  auto c = tie_case({4, 2, 2}, 1, 1);
+  Stepper a(c);
+  EXPECT_DOUBLE_EQ(a.m.dt, 0.9 * step::stable_step(a.m).dt);
+  c.run.dt_factor = 0.5;
+  EXPECT_DOUBLE_EQ(Stepper(c).m.dt, a.m.dt * 5 / 9);
+  c.run.dt = 1e-8;
+  EXPECT_EQ(Stepper(c).m.dt, 1e-8);
+  c.run.dt = 0;
+  c.run.local_damping = 0.44;
+  EXPECT_DOUBLE_EQ(Stepper(c).m.dt, a.m.dt * 5 / 9 / 1.2);
+}
+
+// Requirement: selective mass scaling lifts the step to the one asked for and adds mass only where it is needed.
+TEST(BuildModel, selective_mass_scaling_lifts_the_step) {
+  auto c = tie_case({4, 2, 2}, 1, 1);
+  Stepper const plain(c);
+  c.run.least_dt = 1.5 * plain.m.dt;
+  Stepper const scaled(c);
+  EXPECT_NEAR(scaled.m.dt, 1.5 * plain.m.dt, 0.02 * scaled.m.dt);
+  EXPECT_GT(scaled.m.added_mass, 0);
+  EXPECT_NEAR(scaled.m.total_mass, plain.m.total_mass, 1e-12 * plain.m.total_mass);
+  for (int n = 0; n < node_count(plain.m); ++n) EXPECT_GE(scaled.m.mass[n], plain.m.mass[n] * (1 - 1e-12));
+}
+
+// Requirement: supports hold all copies of the points on their plane, and only those, on their axes.
+TEST(BuildLoads, supports_hold_all_copies) {
+  Stepper x(tie_case({4, 2, 2}, 1, 1));
+  ASSERT_EQ(x.m.prescribed.size(), 4u);
+  std::size_t on_plane = 0;
+  for (int n = 0; n < node_count(x.m); ++n) on_plane += position(x.m, n).x < 1e-9;
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(x.m.prescribed[axis].name, "left");
+    EXPECT_EQ(x.m.prescribed[axis].axis, axis);
+    EXPECT_EQ(x.m.prescribed[axis].nodes.size(), on_plane);
+  }
+  EXPECT_EQ(x.m.prescribed[3].name, "pull");
+}
+
+// Requirement: a total force keeps its size and direction however it is shared, and a pressure acts on the whole area.
+TEST(BuildLoads, forces_keep_their_total) {
+  auto c = tie_case({4, 2, 2}, 1, 1);
+  model::ForceSpec f;
+  f.name = "push", f.where = plane(1, 0.1), f.direction = {0, 3, 4}, f.curve = constant(100);
+  model::TractionSpec p;
+  p.name = "pressure", p.where = plane(1, 0.1), p.normal = true, p.curve = constant(1e4);
+  model::TractionSpec t = p;
+  t.name = "shear", t.normal = false, t.direction = {2, 0, 0};
+  c.forces = {f}, c.tractions = {p, t};
+  Stepper const x(c);
+  ASSERT_EQ(x.m.forces.size(), 3u);
+  auto total = [&](std::size_t i) {
+    Vec3 sum;
+    for (auto const& e : x.m.forces[i].entries) sum += e.share;
+    return sum;
+  };
+  EXPECT_NEAR(norm(total(0) - Vec3{0, 0.6, 0.8}), 0, 1e-12);
+  EXPECT_NEAR(norm(total(1) - Vec3{0, -0.06, 0}), 0, 1e-12);
+  EXPECT_NEAR(norm(total(2) - Vec3{0.06, 0, 0}), 0, 1e-12);
+}
+
+// ---- monitor -----------------------------------------------------------------------------------------------------
+
+step::EnergyBalance balance(double work, double held) {
+  step::EnergyBalance e;
+  e.work_supports = e.absolute_work = work;
+  e.strain = held;
+  return e;
+}
+
+// Requirement: the residual is the largest missing energy over the largest energy put in, signed.
+TEST(Monitor, residual_is_signed_and_keeps_the_worst) {
+  Stepper x(tie_case({4, 1, 1}, 1, 1));
+  sim::Monitor m(x.m);
+  EXPECT_EQ(m.residual(), 0);
+  EXPECT_FALSE(m.take(balance(100, 100.5), x.m, x.s));
+  EXPECT_NEAR(m.residual(), -0.005, 1e-12);
+  EXPECT_FALSE(m.take(balance(200, 199.9), x.m, x.s));
+  EXPECT_NEAR(m.residual(), -0.0025, 1e-12);
+  EXPECT_FALSE(m.crossed_warning());
+  EXPECT_FALSE(m.take(balance(200, 196), x.m, x.s));
+  EXPECT_NEAR(m.residual(), 0.02, 1e-12);
+  EXPECT_TRUE(m.crossed_warning());
+  auto const reason = m.take(balance(200, 180), x.m, x.s);
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->find("energy was lost"), std::string::npos);
+}
+
+// Requirement: a number that is not finite is found and named by tet, group and place.
+TEST(Monitor, names_the_place_of_a_nan) {
+  Stepper x(tie_case({4, 1, 1}, 1, 1));
+  EXPECT_EQ(sim::find_non_finite(x.m, x.s), "");
+  int const tet = 13;
+  x.s.u[16 * tet + 5] = std::numeric_limits<double>::quiet_NaN();
+  std::string const where = sim::find_non_finite(x.m, x.s);
+  EXPECT_EQ(where.find("in tet " + std::to_string(x.m.mesh.input_id[tet]) + " of group concrete at ("), 0u) << where;
+  sim::Monitor m(x.m);
+  auto const reason = m.take(x.read(), x.m, x.s);
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->find("in tet "), std::string::npos) << *reason;
+}
+
+// Requirement: the kinetic ratio ignores the start, where both energies are tiny.
+TEST(Monitor, kinetic_ratio_ignores_the_start) {
+  Stepper x(tie_case({4, 1, 1}, 1, 1));
+  sim::Monitor m(x.m);
+  auto put = [&](double kinetic, double strain) {
+    auto e = balance(kinetic + strain, strain);
+    e.kinetic = kinetic;
+    m.take(e, x.m, x.s);
+  };
+  put(1e-3, 1e-4);
+  put(1, 50);
+  put(2, 200);
+  EXPECT_NEAR(m.kinetic_ratio(), 0.02, 1e-12);
+}
+
+// ---- fields ------------------------------------------------------------------------------------------------------
+
+// Requirement: frames hold a cell per tet, per damaged joint and per bar element and joint, with arrays that fit.
+TEST(Fields, have_the_size_of_the_model) {
+  Stepper x(tie_case({4, 2, 2}, 1, 2));
+  x.advance(600);
+  int const damaged = concrete::count_joints(x.m, x.s).damaged;
+  ASSERT_GT(damaged, 0);
+  auto const tets = sim::tet_grid(x.m, x.s), cracks = sim::crack_grid(x.m, x.s), bars = sim::bar_grid(x.m, x.s);
+  EXPECT_EQ(tets.types.size(), static_cast<std::size_t>(x.m.tet_count()));
+  EXPECT_EQ(cracks.types.size(), static_cast<std::size_t>(damaged));
+  EXPECT_EQ(bars.types.size(), x.m.bars.elements.size() + x.m.bars.joints.size());
+  for (auto const* g : {&tets, &cracks, &bars})
+    EXPECT_EQ(g->connectivity.size(), g->points.size());
+}
+
+// ---- check and templates -----------------------------------------------------------------------------------------
+
+// Requirement: the forecast names size, step and cost.
+TEST(Check, forecasts_the_cost) {
+  auto const text = sim::check_case(tie_case({4, 1, 1}, 1e-3, 1));
+  for (char const* word : {"tets", "joints", "time step", "steps", "wall time", "memory", "disk", "bar elements"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
+}
+
+// Requirement: a template is written once and never over another case; unknown names are answered with the known ones.
+TEST(Templates, are_written_once) {
+  output::testing::TemporaryFolder const folder;
+  sim::write_template("tie", folder / "new");
+  EXPECT_NE(output::testing::read_bytes(folder / "new/case.toml").find("[[bar]]"), std::string::npos);
+  EXPECT_THROW(sim::write_template("tie", folder / "new"), core::Error);
+  try {
+    sim::write_template("bridge", folder / "other");
+    FAIL();
+  } catch (core::Error const& e) {
+    EXPECT_NE(std::string(e.what()).find(sim::template_names()), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace fissura::support
