@@ -34,6 +34,13 @@ struct AppliedForce {
   std::string name;
   TimedCurve curve; ///< [N] or [Pa]
   std::vector<Entry> entries;
+
+  /// Sum of the shares: the force at a curve value of 1.
+  Vec3 total() const {
+    Vec3 sum;
+    for (auto const& e : entries) sum += e.share;
+    return sum;
+  }
 };
 
 struct Gravity {

@@ -229,9 +229,7 @@ double force_along(Model const& m, State const& s, Gauge const& g, double time) 
   double sum = 0;
   for (int const i : g.forces) {
     auto const& f = m.forces[i];
-    Vec3 total;
-    for (auto const& e : f.entries) total += e.share;
-    sum += loads::value_at(f.curve, s, time) * total[g.spec.axis];
+    sum += loads::value_at(f.curve, s, time) * f.total()[g.spec.axis];
   }
   return sum;
 }

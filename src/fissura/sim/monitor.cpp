@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "fissura/core/finite.hpp"
+#include "fissura/loads/loads.hpp"
 
 namespace fissura::sim {
 
@@ -40,6 +41,7 @@ std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model con
   scale_ = std::max(scale_, e.start + e.absolute_work);
   if (std::abs(e.missing()) > std::abs(worst_missing_)) worst_missing_ = e.missing();
   shares_.push_back({e.kinetic, e.internal()});
+  weigh_forces(m, s);
   if (scale_ < floor_ || scale_ <= 0) return std::nullopt;
   double const now = e.missing() / scale_;
   if (std::abs(now) > m.source.run.residual_warn) warned_ = true;
@@ -48,6 +50,34 @@ std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model con
                        "dt_factor or raise [run] residual_stop if this is understood",
                        100 * now, s.time, now < 0 ? "energy was created" : "energy was lost");
   return std::nullopt;
+}
+
+void Monitor::weigh_forces(Model const& m, State const& s) {
+  Vec3 resultant = m.total_mass * loads::gravity_at(m, s, s.time);
+  double sum = norm(resultant);
+  for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
+    resultant[m.prescribed[i].axis] += s.reaction[i];
+    sum += std::abs(s.reaction[i]);
+  }
+  for (auto const& f : m.forces) {
+    Vec3 const force = loads::value_at(f.curve, s, s.time) * f.total();
+    resultant += force;
+    sum += norm(force);
+  }
+  resultant_ += norm(resultant);
+  all_forces_ += 0.5 * sum; // each force and what holds it
+}
+
+double Monitor::quiet_share() const {
+  double largest = 0;
+  for (auto const& s : shares_) largest = std::max(largest, s.internal);
+  long quiet = 0, counted = 0;
+  for (auto const& s : shares_) {
+    if (!(s.internal > 0.01 * largest)) continue;
+    ++counted;
+    quiet += s.kinetic < 0.05 * s.internal;
+  }
+  return counted > 0 ? static_cast<double>(quiet) / static_cast<double>(counted) : 0;
 }
 
 double Monitor::kinetic_ratio() const {

@@ -28,10 +28,16 @@ class Monitor {
   double residual_of(step::EnergyBalance const& e) const { return scale_ > 0 ? e.missing() / scale_ : 0; }
   /// Largest kinetic/internal energy while the internal energy was above 1 % of its largest value.
   double kinetic_ratio() const;
+  /// Share of the readings, internal energy above 1 % of its largest value, with kinetic/internal below 5 %.
+  double quiet_share() const;
+  /// Mean resultant of reactions, applied forces and weight over the mean sum of their magnitudes: 0 = equilibrium.
+  double imbalance() const { return all_forces_ > 0 ? resultant_ / all_forces_ : 0; }
   bool crossed_warning() const { return warned_; }
 
  private:
+  void weigh_forces(model::Model const& m, state::State const& s);
   double worst_missing_ = 0, scale_ = 0, floor_ = 0;
+  double resultant_ = 0, all_forces_ = 0; ///< sums over readings [N]
   bool warned_ = false;
   struct Share {
     double kinetic, internal;
