@@ -69,13 +69,17 @@ test: build-all
 	ctest --test-dir $(BUILD) --output-on-failure -j 2
 
 verify: build
-	$(PYTHON) tools/verify.py --program $(PROGRAM) --out $(BUILD)/verification.csv
+	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/verification.csv --jobs $(JOBS)
 
+# All cases, an hour or more; also draws all figures and writes the verification page.
 validate: build
-	$(PYTHON) tools/verify.py --program $(PROGRAM) --long --out $(BUILD)/validation.csv
+	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --long
+	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/validation.csv --jobs $(JOBS) --long \
+	  --page docs/verification/index.md
 
+# The paper's figures: those of the short runs, and of long ones that are there already.
 figures: build
-	$(PYTHON) tools/figures.py --program $(PROGRAM)
+	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS)
 
 # Every run folder under runs/ that holds fields gets its crack picture.
 pictures: setup-program

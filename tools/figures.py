@@ -185,7 +185,7 @@ def fig22(runs, out):
 
 def beam_curve(run):
     """Load [kN] as read and as mean over 10 ms, and deflection [mm], from the start of `push`."""
-    begin = measure.first(np.abs(measure.column(run, "reaction_load_1_z")) > 0)
+    begin = measure.push_begins(run)
     time = measure.column(run, "time")[begin:]
     load = measure.column(run, "load")[begin:] / 1e3
     return load, measure.running_mean(time, load, measure.SHOCK), 1e3 * measure.column(run, "deflection")[begin:]
@@ -246,10 +246,10 @@ def fig33(runs, out):
         top = time[int(np.argmax(np.where(time < time[-1] - measure.SHOCK / 2, mean, 0)))]
         frames = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
         scenes, titles = [], []
-        for t in [t for t in frames if t <= top][-3:] + [frames[-1]]:
+        for t in sorted({*[t for t in frames if t <= top][-3:], frames[-1]}):
             moment, scene = picture.make_scene(run, t, 5.0, 0.5)
             scenes.append(scene)
-            state = "collapse" if t == frames[-1] else f"load {np.interp(moment, time, mean):.1f} kN"
+            state = "collapse" if t == frames[-1] and mean[-1] < 0.9 * mean.max() else f"load {np.interp(moment, time, mean):.1f} kN"
             titles.append(f"{state}, deflection {np.interp(moment, time, w):.1f} mm")
         heading = f"Figure 33: cracks before the collapse, {label} (displacements x 5)"
         crack_pictures(scenes, titles, heading, out.with_stem(out.stem + "_unstructured") if "unstructured" in label else out)

@@ -51,11 +51,11 @@ Mohr-Coulomb with `c` from `f_c` gives `f_c` on planes at 27 degrees to the load
 slides at `2 c/(1 - tan phi)` = 55.9 MPa, so there the strength is that and not `f_c`."""),
     "four_point": Case("4.2 Four-point beam to collapse", """The beam of 4.5 x 0.15 x 0.25 m (reconstructed) under two loads until it collapses, with the default Mohr-Coulomb joints; nothing is
 fitted to the test. Loads are those at the supports without the self-weight, as means over 10 ms (one millimetre of the jacks' way), since
-a crack's shock lasts about one millisecond. *Cracking* is the load at which the bars at midspan carry 10 % more than the sound section's share;
+a crack's shock lasts about one millisecond. *Cracking* is the load at which a first joint is cracked through (all its three points past their strength);
 section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within the outer limits 6.4 - 15 % and 7.9 + 15 %. *First yield* is the first row with a yielded bar joint, *failure* the largest load before the load falls.""",
                        (31, 32, 33)),
-    "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form. Tets
-whose time step would be below 0.55 microseconds get extra mass (2.3 % of the beam's).""", ("33_unstructured",)),
+    "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form. The
+run ends after the bars have yielded.""", ("33_unstructured",)),
     "reproducible": Case("Same bits", """Tie 3.4, mesh A: the hash of the final state with one and with two threads."""),
 }
 
@@ -157,31 +157,31 @@ def demo_checks():
 def four_point_checks():
     case = "four_point"
 
-    def read(key):
-        return lambda run: measure.four_point(run)[key]
+    def read(key, of=measure.four_point):
+        return lambda run: of(run)[key]
 
-    run = ("four_point",)
-    yield Check(case, "load at cracking [kN] (5.44 to 9.09)", 7.2625, 1.8225, read("cracking"), run)
+    run, start = ("four_point",), ("four_point_start",)
+    yield Check(case, "load at cracking [kN] (5.44 to 9.09)", 7.2625, 1.8225, read("cracking", measure.four_point_cracking), start)
     yield Check(case, "load at first yield [kN]", 56, 4.48, read("yield"), run, "56")
     yield Check(case, "failure load [kN]", 64.3, 5.144, read("failure"), run, "64.3 (test 65.0)")
     yield Check(case, "steel yields before collapse (1 = yes)", 1, 0, read("yields_first"), run, "yes")
     yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
-    for key, text in (("first_damage", "load at the first damaged joint [kN]"),
-                      ("crack_at_bar", "load when a crack reaches the bars [kN]"),
-                      ("yield_deflection", "deflection at first yield [mm]"),
+    for key, text in (("yield", "first yield"), ("failure", "failure load")):
+        yield Check(case, f"{text}, p = 60 E over 20 E", 1, 0.03,
+                    lambda a, b, key=key: measure.four_point(b)[key] / measure.four_point(a)[key], ("four_point", "four_point_60"))
+    for key, text in (("first_damage", "load at the first damaged point of a joint [kN]"),
+                      ("crack_at_bar", "load when a crack reaches the bars [kN]")):
+        yield Check(case, text, float("nan"), INFORMATION, read(key, measure.four_point_cracking), start)
+    for key, text in (("yield_deflection", "deflection at first yield [mm]"),
                       ("failure_deflection", "deflection at failure [mm]"),
                       ("steel_at_failure", "stress of the bars at midspan at failure [MPa]"),
                       ("failure_jack", "failure load at the jacks [kN]"),
                       ("peak_reading", "largest single reading, in the shock of the collapse [kN]")):
         yield Check(case, text, float("nan"), INFORMATION, read(key), run)
-    for key, text in (("yield", "first yield"), ("failure", "failure load")):
-        yield Check(case, f"{text}, p = 60 E over 20 E", 1, 0.03,
-                    lambda a, b, key=key: measure.four_point(b)[key] / measure.four_point(a)[key], ("four_point", "four_point_60"))
     case, run = "four_point_unstructured", ("four_point_unstructured",)
-    yield Check(case, "load at cracking [kN] (5.44 to 9.09)", 7.2625, 1.8225, read("cracking"), run)
-    yield Check(case, "load at first yield [kN]", 56, 4.48, read("yield"), run, "56")
-    yield Check(case, "failure load [kN]", 64.3, 5.144, read("failure"), run, "64.3 (test 65.0)")
-    yield Check(case, "steel yields before collapse (1 = yes)", 1, 0, read("yields_first"), run, "yes")
+    yield Check(case, "load at cracking [kN]", 7.15, INFORMATION, read("cracking", measure.four_point_cracking), run)
+    yield Check(case, "load at first yield [kN]", 56, INFORMATION, read("yield"), run, "56")
+    yield Check(case, "deflection at first yield [mm]", float("nan"), INFORMATION, read("yield_deflection"), run)
     yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
 
 

@@ -70,24 +70,33 @@ def running_mean(time, values, window):
 SHOCK = 10e-3
 
 
+def push_begins(run):
+    """First row of the stage in which the jacks move."""
+    return first(np.abs(column(run, "reaction_load_1_z")) > 0)
+
+
+def four_point_cracking(run):
+    """Example 4.2, loads [kN]: first joint damaged, first joint cracked through, first crack at a bar."""
+    load = column(run, "load") / 1e3
+    after = np.arange(len(load)) > push_begins(run)
+
+    def load_at(count):
+        return load[first(after & (column(run, count) > 0))]
+
+    return {"first_damage": load_at("joints_damaged"), "cracking": load_at("joints_cracked"),
+            "crack_at_bar": load_at("bar_joints_activated")}
+
+
 def four_point(run):
-    """Example 4.2, from the start of `push`: loads [kN] and deflections [mm]."""
+    """Example 4.2 to collapse, from the start of `push`: loads [kN] and deflections [mm]."""
     time = column(run, "time")
-    begin = first(np.abs(column(run, "reaction_load_1_z")) > 0)
+    after = np.arange(len(time)) > push_begins(run)
     load, jack = column(run, "load") / 1e3, column(run, "jack") / 1e3
     steel, w = column(run, "steel_stress") / 1e6, 1e3 * column(run, "deflection")
     mean, mean_jack = (running_mean(time, x, SHOCK) for x in (load, jack))
-    # Sound, the steel's stress grows in proportion to the load; 10 % more than that is a cracked section.
-    after = np.arange(len(time)) > begin
-    ratio = np.divide(steel - steel[begin], load, out=np.zeros_like(load), where=after & (load > 0.5))
-    damaged = first(after & (column(run, "joints_damaged") > 0))
-    sound = ratio[damaged - 1]
-    crack = first(after & (np.arange(len(time)) > damaged) & (ratio > 1.1 * sound))
     yielded = first(column(run, "bar_joints_yielded") > 0)
-    through = time < time[-1] - SHOCK / 2
-    top = int(np.argmax(np.where(after & through, mean, 0)))
-    return {"first_damage": load[damaged], "cracking": load[crack], "crack_at_bar": load[first(column(run, "bar_joints_activated") > 0)],
-            "yield": mean[yielded], "yield_deflection": w[yielded], "failure": mean[top], "failure_deflection": w[top],
+    top = int(np.argmax(np.where(after & (time < time[-1] - SHOCK / 2), mean, 0)))
+    return {"yield": mean[yielded], "yield_deflection": w[yielded], "failure": mean[top], "failure_deflection": w[top],
             "failure_jack": mean_jack[top], "peak_reading": load[after].max(), "steel_at_failure": steel[top],
             "yields_first": float(yielded < top)}
 
