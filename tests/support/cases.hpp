@@ -22,7 +22,9 @@ inline model::Selector box(Vec3 from, Vec3 to) {
   s.from = from, s.to = to;
   return s;
 }
-inline model::Selector everything() { return {}; }
+inline model::Selector everything() {
+  return {};
+}
 inline model::Selector group(std::string name) {
   model::Selector s;
   s.kind = model::Selector::Kind::group;
@@ -99,7 +101,8 @@ struct Stepper {
   state::State s;
   state::Scratch w;
   step::EnergyBalance e;
-  explicit Stepper(model::Case const& c) : m(sim::build_model(c, report)), s(step::make_state(m)), w(step::make_scratch(m)) {}
+  explicit Stepper(model::Case const& c)
+      : m(sim::build_model(c, report)), s(step::make_state(m)), w(step::make_scratch(m)) {}
   void advance(long steps = 1) {
     for (long i = 0; i < steps; ++i) step::advance(m, s, w);
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Models for tests straight from a mesh: concrete only, or (reinforced_model.hpp) with bars. No deck, no loads.
+// Models for tests straight from a mesh: concrete only, or (reinforced_model.hpp) with bars. No deck, no
+// loads.
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -56,8 +57,12 @@ inline mesh::Mesh box_mesh(std::array<int, 3> cells, Vec3 size, int tets_per_cel
   return mesh::make_boxes({&box, 1});
 }
 
-inline std::size_t node_slots(model::Model const& m) { return 4 * m.tets.blocks() * model::block; }
-inline int node_count(model::Model const& m) { return 4 * m.tet_count(); }
+inline std::size_t node_slots(model::Model const& m) {
+  return 4 * m.tets.blocks() * model::block;
+}
+inline int node_count(model::Model const& m) {
+  return 4 * m.tet_count();
+}
 
 inline Vec3 position(model::Model const& m, int node) {
   return {m.position[4 * node], m.position[4 * node + 1], m.position[4 * node + 2]};
@@ -69,11 +74,13 @@ inline void set_node(core::Buffer<double>& field, int node, Vec3 value) {
   for (int r = 0; r < 3; ++r) field[4 * node + r] = value[r];
 }
 /// field(node) = value(X) at the reference position X, for all nodes of all tets.
-inline void set_field(model::Model const& m, core::Buffer<double>& field, std::function<Vec3(Vec3)> const& value) {
+inline void set_field(model::Model const& m, core::Buffer<double>& field,
+                      std::function<Vec3(Vec3)> const& value) {
   for (int n = 0; n < node_count(m); ++n) set_node(field, n, value(position(m, n)));
 }
 
-/// Rotation by an angle [rad] about an axis (Rodrigues), minus the identity: no digits are lost at small angles.
+/// Rotation by an angle [rad] about an axis (Rodrigues), minus the identity: no digits are lost at small
+/// angles.
 inline Mat3 rotation_minus_identity(Vec3 axis, double angle) {
   Vec3 const n = unit(axis);
   Mat3 const N{{Vec3{0, -n.z, n.y}, Vec3{n.z, 0, -n.x}, Vec3{-n.y, n.x, 0}}};

@@ -6,13 +6,15 @@
 
 namespace fissura::support {
 
-/// Internal forces of tets at u and v [N], [node][4], with the joint forces and the overlay that `w` holds. Returns
-/// what viscosity dissipates in `dt` [J].
+/// Internal forces of tets at u and v [N], [node][4], with the joint forces and the overlay that `w` holds.
+/// Returns what viscosity dissipates in `dt` [J].
 inline double corner_forces(model::Model const& m, state::State& s, state::Scratch const& w, double dt,
-                            core::Buffer<double>& force, concrete::KernelSet const& set = concrete::kernels()) {
+                            core::Buffer<double>& force,
+                            concrete::KernelSet const& set = concrete::kernels()) {
   if (force.empty()) force = core::Buffer<double>(4 * node_slots(m));
-  concrete::TetPass const pass{&m.tets, s.u.data(), s.v.data(), w.joint_force.data(), &w.overlay, force.data(), dt, 0, 0,
-                               {}, {}, false};
+  concrete::TetPass const pass{&m.tets,    s.u.data(),   s.v.data(), w.joint_force.data(),
+                               &w.overlay, force.data(), dt,         0,
+                               0,          {},           {},         false};
   return set.tet_forces(pass, 0, m.tets.blocks()).viscous;
 }
 

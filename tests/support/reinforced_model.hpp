@@ -23,7 +23,8 @@ inline model::BarSpec straight_bar(Vec3 from, Vec3 to, double diameter) {
 }
 
 inline model::Model reinforced_model(mesh::Mesh mesh, model::ConcreteSpec const& concrete,
-                                     std::vector<model::BarSpec> const& bars, model::BarSettings settings = {}) {
+                                     std::vector<model::BarSpec> const& bars,
+                                     model::BarSettings settings = {}) {
   auto m = concrete_model(std::move(mesh), concrete);
   m.source.bars = bars;
   m.source.steels = {plain_steel()};
@@ -41,7 +42,8 @@ inline model::Model reinforced_model(mesh::Mesh mesh, model::ConcreteSpec const&
 /// Every bar joint that can, has begun to slip: the stiffest the bars ever are.
 inline void activate_bars(model::Model const& m, state::State& s) {
   for (std::size_t i = 0; i < m.bars.joints.size(); ++i)
-    if (m.bars.joint_law[i].crackable) laws::activate(m.bars.joint_law[i].activated, s.bars.history[i], 0, {}, 0, 0);
+    if (m.bars.joint_law[i].crackable)
+      laws::activate(m.bars.joint_law[i].activated, s.bars.history[i], 0, {}, 0, 0);
 }
 
 } // namespace fissura::support

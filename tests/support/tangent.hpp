@@ -1,7 +1,8 @@
 #pragma once
-// The true stability limit of a model at rest: the largest eigenvalue of its linear tangent, without assembling it.
-// The product of the tangent with a vector is a central difference of the step's own forces at tiny displacements; the
-// largest eigenvalue comes from Lanczos iteration (a power iteration that keeps what it has seen).
+// The true stability limit of a model at rest: the largest eigenvalue of its linear tangent, without
+// assembling it. The product of the tangent with a vector is a central difference of the step's own forces at
+// tiny displacements; the largest eigenvalue comes from Lanczos iteration (a power iteration that keeps what
+// it has seen).
 #include <algorithm>
 #include <cmath>
 
@@ -14,12 +15,13 @@ namespace fissura::support {
 class Tangent {
  public:
   explicit Tangent(model::Model const& m, bool bars_activated)
-      : m_(m), s_(step::make_state(m)), w_(step::make_scratch(m)), size_(static_cast<std::size_t>(4 * node_count(m))) {
+      : m_(m), s_(step::make_state(m)), w_(step::make_scratch(m)),
+        size_(static_cast<std::size_t>(4 * node_count(m))) {
     if (bars_activated) activate_bars(m, s_);
   }
 
-  /// Largest step [s] of the central differences: 4 = largest eigenvalue of M^-1 (dt^2 K + 2 dt C), C the viscous
-  /// matrix, whose forces lag half a step. Without viscosity 2/omega_max.
+  /// Largest step [s] of the central differences: 4 = largest eigenvalue of M^-1 (dt^2 K + 2 dt C), C the
+  /// viscous matrix, whose forces lag half a step. Without viscosity 2/omega_max.
   double stable_step() {
     double const stiff = largest(1, 0);
     double dt = 2 / std::sqrt(stiff);
@@ -71,7 +73,9 @@ class Tangent {
     for (double& x : a) x *= f;
   }
 
-  double inverse_mass(std::size_t node) const { return m_.tets.inverse_mass[model::at(node / 4, node % 4, 4)]; }
+  double inverse_mass(std::size_t node) const {
+    return m_.tets.inverse_mass[model::at(node / 4, node % 4, 4)];
+  }
 
   /// Projects on vectors that mean something: nothing in the padding, one value for bonded copies.
   void constrain(std::vector<double>& x) const {
@@ -100,7 +104,8 @@ class Tangent {
     return copies_[node];
   }
 
-  /// Displacement per unknown: the root of copies over the cluster's mass makes the norm of the unknowns the energy.
+  /// Displacement per unknown: the root of copies over the cluster's mass makes the norm of the unknowns the
+  /// energy.
   double per_unknown(std::size_t n) const { return std::sqrt(inverse_mass(n) * copies(n)); }
 
   /// y = M^-1/2 (k K + c C) M^-1/2 x on the space in which bonded copies move alike; k > 0.
@@ -110,7 +115,8 @@ class Tangent {
       double const f = per_unknown(n);
       for (std::size_t r = 0; r < 3; ++r) largest_u = std::max(largest_u, std::abs(f * x[4 * n + r]));
     }
-    double const step = 1e-7 / largest_u; // [m]: strains far below any nonlinearity, forces far above rounding
+    double const step =
+        1e-7 / largest_u; // [m]: strains far below any nonlinearity, forces far above rounding
     std::fill(y.begin(), y.end(), 0.0);
     for (double const sign : {1.0, -1.0}) {
       forces(x, sign * step, c / k);

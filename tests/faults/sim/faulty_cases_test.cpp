@@ -1,9 +1,10 @@
-// Cases that a deck may well state but no program can compute: each ends in an InputError that names the place in the
-// deck and what is wrong, and leaves no run folder behind.
+// Cases that a deck may well state but no program can compute: each ends in an InputError that names the
+// place in the deck and what is wrong, and leaves no run folder behind.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 
 #include "fissura/sim/run.hpp"
 #include "support/cases.hpp"
@@ -19,7 +20,14 @@ struct Fault {
   std::vector<std::string> words; ///< in the message
 };
 
-core::Place line(int number) { return {"case.toml", number, 1}; }
+/// How the test framework names a fault.
+void PrintTo(Fault const& fault, std::ostream* out) {
+  *out << fault.name;
+}
+
+core::Place line(int number) {
+  return {"case.toml", number, 1};
+}
 
 model::Selector placed(model::Selector s, int number) {
   s.place = line(number);
@@ -27,36 +35,73 @@ model::Selector placed(model::Selector s, int number) {
 }
 
 std::vector<Fault> const faults{
-    {"bar_outside", [](model::Case& c) { c.bars[0].points = {{0, 0.05, 0.05}, {0.7, 0.05, 0.05}}; }, 25, {"bar", "concrete"}},
-    {"bar_far_away", [](model::Case& c) { c.bars[0].points = {{5, 5, 5}, {6, 5, 5}}; }, 25, {"bar"}},
-    {"bar_copy_outside", [](model::Case& c) { c.bars[0].count = 3, c.bars[0].spacing = {0, 0.03, 0}; }, 25, {"bar"}},
-    {"bar_of_no_length", [](model::Case& c) { c.bars[0].points = {{0.1, 0.05, 0.05}, {0.1, 0.05, 0.05}}; }, 25, {"bar"}},
+    {"bar_outside",
+     [](model::Case& c) {
+       c.bars[0].points = {{0, 0.05, 0.05}, {0.7, 0.05, 0.05}};
+     },
+     25,
+     {"bar", "concrete"}},
+    {"bar_far_away",
+     [](model::Case& c) {
+       c.bars[0].points = {{5, 5, 5}, {6, 5, 5}};
+     },
+     25,
+     {"bar"}},
+    {"bar_copy_outside",
+     [](model::Case& c) {
+       c.bars[0].count = 3, c.bars[0].spacing = {0, 0.03, 0};
+     },
+     25,
+     {"bar"}},
+    {"bar_of_no_length",
+     [](model::Case& c) {
+       c.bars[0].points = {{0.1, 0.05, 0.05}, {0.1, 0.05, 0.05}};
+     },
+     25,
+     {"bar"}},
     {"bar_of_unknown_steel", [](model::Case& c) { c.bars[0].steel = "B500"; }, 25, {"B500"}},
-    {"support_on_nothing", [](model::Case& c) { c.supports[0].where = placed(plane(0, 7), 21); }, 21, {"point"}},
-    {"motion_on_nothing", [](model::Case& c) { c.motions[0].where = placed(box({2, 2, 2}, {3, 3, 3}), 31); }, 31, {"point"}},
-    {"support_at_unknown_group", [](model::Case& c) { c.supports[0].where = placed(group("lefft"), 21); }, 21, {"lefft", "concrete"}},
+    {"support_on_nothing",
+     [](model::Case& c) { c.supports[0].where = placed(plane(0, 7), 21); },
+     21,
+     {"point"}},
+    {"motion_on_nothing",
+     [](model::Case& c) {
+       c.motions[0].where = placed(box({2, 2, 2}, {3, 3, 3}), 31);
+     },
+     31,
+     {"point"}},
+    {"support_at_unknown_group",
+     [](model::Case& c) { c.supports[0].where = placed(group("lefft"), 21); },
+     21,
+     {"lefft", "concrete"}},
     {"force_on_nothing",
      [](model::Case& c) {
        model::ForceSpec f;
        f.name = "push", f.where = placed(plane(2, 9), 33), f.direction = {1, 0, 0};
        c.forces = {f};
      },
-     33, {"point"}},
+     33,
+     {"point"}},
     {"traction_inside",
      [](model::Case& c) {
        model::TractionSpec t;
        t.name = "pressure", t.where = placed(plane(0, 0.3), 34), t.normal = true;
        c.tractions = {t};
      },
-     34, {"face"}},
+     34,
+     {"face"}},
     {"two_motions_on_one_node",
      [](model::Case& c) {
        c.motions.push_back(motion_at("again", plane(0, 0.6), 0, constant(0)));
        c.motions.back().place = line(32);
      },
-     32, {"again", "pull", "x"}},
+     32,
+     {"again", "pull", "x"}},
     {"motion_of_a_support",
-     [](model::Case& c) { c.motions[0] = motion_at("pull", plane(0, 0), 1, constant(0)), c.motions[0].place = line(30); }, 30,
+     [](model::Case& c) {
+       c.motions[0] = motion_at("pull", plane(0, 0), 1, constant(0)), c.motions[0].place = line(30);
+     },
+     30,
      {"left", "pull", "y"}},
     {"motion_in_unknown_stage", [](model::Case& c) { c.motions[0].stage = "later"; }, 30, {"later"}},
     {"gauge_of_unknown_support",
@@ -65,42 +110,59 @@ std::vector<Fault> const faults{
        g.of = {"right"};
        c.gauges = {g};
      },
-     40, {"right"}},
+     40,
+     {"right"}},
     {"stop_without_gauge",
      [](model::Case& c) {
        model::StopSpec s;
        s.place = line(45), s.gauge = "force";
        c.stops = {s};
      },
-     45, {"force"}},
+     45,
+     {"force"}},
     {"concrete_for_unknown_group",
-     [](model::Case& c) { c.concretes[0].groups = {"slab"}, c.concretes[0].place = line(10); }, 10, {"slab", "concrete"}},
+     [](model::Case& c) { c.concretes[0].groups = {"slab"}, c.concretes[0].place = line(10); },
+     10,
+     {"slab", "concrete"}},
     {"group_without_concrete",
      [](model::Case& c) {
        c.mesh.boxes.push_back(box_of_cells("slab", {0.6, 0, 0}, {0.9, 0.1, 0.1}, {2, 2, 2}));
        c.concretes[0].groups = {"concrete"};
      },
-     2, {"slab"}},
+     2,
+     {"slab"}},
     {"two_concretes_for_all",
-     [](model::Case& c) { c.concretes.push_back(c.concretes[0]), c.concretes[1].place = line(12), c.concretes[1].name = "other"; },
-     12, {"other", "concrete"}},
+     [](model::Case& c) {
+       c.concretes.push_back(c.concretes[0]), c.concretes[1].place = line(12), c.concretes[1].name = "other";
+     },
+     12,
+     {"other", "concrete"}},
     {"touching_boxes_with_different_cells",
-     [](model::Case& c) { c.mesh.boxes.push_back(box_of_cells("more", {0.6, 0, 0}, {0.9, 0.1, 0.1}, {3, 3, 3})); }, 2, {"match"}},
+     [](model::Case& c) {
+       c.mesh.boxes.push_back(box_of_cells("more", {0.6, 0, 0}, {0.9, 0.1, 0.1}, {3, 3, 3}));
+     },
+     2,
+     {"match"}},
     {"overlapping_boxes",
      [](model::Case& c) {
        c.mesh.boxes.push_back(box_of_cells("more", {0.5, 0, 0}, {0.9, 0.1, 0.1}, {3, 2, 2}));
        c.mesh.boxes.back().place = line(7);
      },
-     7, {"overlap"}},
+     7,
+     {"overlap"}},
     {"box_without_volume", [](model::Case& c) { c.mesh.boxes[0].to.y = 0; }, 3, {}},
-    {"missing_mesh_file", [](model::Case& c) { c.mesh.boxes.clear(), c.mesh.file = "/nowhere/beam.msh"; }, 0, {"beam.msh"}},
+    {"missing_mesh_file",
+     [](model::Case& c) { c.mesh.boxes.clear(), c.mesh.file = "/nowhere/beam.msh"; },
+     0,
+     {"beam.msh"}},
     {"joint_region_on_nothing",
      [](model::Case& c) {
        model::JointRegionSpec r;
        r.where = placed(box({5, 5, 5}, {6, 6, 6}), 15);
        c.joint_regions = {r};
      },
-     15, {"joint"}},
+     15,
+     {"joint"}},
 };
 
 class FaultyCase : public testing::TestWithParam<Fault> {};
@@ -124,11 +186,13 @@ TEST_P(FaultyCase, is_refused_at_its_place) {
     bool at_line = fault.line == 0;
     for (auto const& d : e.diagnostics) at_line |= d.place.line == fault.line && d.place.file == "case.toml";
     EXPECT_TRUE(at_line) << e.what();
-    for (auto const& word : fault.words) EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << word << " in: " << e.what();
+    for (auto const& word : fault.words)
+      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << word << " in: " << e.what();
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.name()));
 }
-INSTANTIATE_TEST_SUITE_P(Faults, FaultyCase, testing::ValuesIn(faults), [](auto const& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(Faults, FaultyCase, testing::ValuesIn(faults),
+                         [](auto const& i) { return std::string(i.param.name); });
 
 // Requirement: the case the faults are planted in is itself sound.
 TEST(FaultyCases, the_case_without_a_fault_runs) {

@@ -21,8 +21,13 @@ Outcome run(model::Case const& c, int threads, long steps) {
   Stepper x(c);
   x.advance(steps);
   x.read();
-  return {sim::state_hash(x.m, x.s), x.e.held(),       x.e.dissipated(), x.e.work(),
-          x.s.reaction.back(),       concrete::count_joints(x.m, x.s).damaged, sim::count_bars(x.s.bars).activated};
+  return {sim::state_hash(x.m, x.s),
+          x.e.held(),
+          x.e.dissipated(),
+          x.e.work(),
+          x.s.reaction.back(),
+          concrete::count_joints(x.m, x.s).damaged,
+          sim::count_bars(x.s.bars).activated};
 }
 
 void expect_same(Outcome const& a, Outcome const& b) {
@@ -33,8 +38,8 @@ void expect_same(Outcome const& a, Outcome const& b) {
   EXPECT_EQ(a.reaction, b.reaction);
 }
 
-// Requirement: a tie that cracks and slips on 1, 2, 3 and 8 threads ends in the same state, with the same energies and
-// reactions, to the bit; and so does a repetition.
+// Requirement: a tie that cracks and slips on 1, 2, 3 and 8 threads ends in the same state, with the same
+// energies and reactions, to the bit; and so does a repetition.
 TEST(Threads, give_the_same_bits_in_a_cracking_tie) {
   auto c = tie_case({8, 4, 4}, 1, 2);
   auto const one = run(c, 1, 1500);

@@ -48,7 +48,8 @@ struct Bench {
     m.overlay_tets = {2, 3, 17, m.tet_count() - 1};
     w.overlay.tets = m.overlay_tets;
     w.overlay.force.assign(16 * m.overlay_tets.size(), 0);
-    for (std::size_t i = 0; i < w.overlay.force.size(); ++i) w.overlay.force[i] = i % 4 == 3 ? 0 : 10.0 * static_cast<double>(i % 7);
+    for (std::size_t i = 0; i < w.overlay.force.size(); ++i)
+      w.overlay.force[i] = i % 4 == 3 ? 0 : 10.0 * static_cast<double>(i % 7);
     for (std::size_t i = 0; i < m.overlay_tets.size(); ++i) {
       w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
       m.tets.has_overlay[m.overlay_tets[i] / model::block] = 1;
@@ -56,15 +57,19 @@ struct Bench {
   }
   void step(KernelSet const& set) {
     Context const context{m, s, w.joint_force.data()};
-    concrete::JointPass const joints{&m.joints, s.u.data(), w.joint_force.data(), s.joint_status.data(),
+    concrete::JointPass const joints{&m.joints,
+                                     s.u.data(),
+                                     w.joint_force.data(),
+                                     s.joint_status.data(),
                                      [](void const* c, int joint) {
                                        auto const& x = *static_cast<Context const*>(c);
                                        concrete::damaged_joint(x.m, x.s, x.force, joint);
                                      },
                                      &context};
     set.joint_forces(joints, 0, m.joints.blocks());
-    concrete::TetPass const tets{&m.tets, s.u.data(), s.v.data(), w.joint_force.data(), &w.overlay, nullptr, m.dt,
-                                 mass_damping, local_damping, gravity, gravity, true};
+    concrete::TetPass const tets{&m.tets,       s.u.data(), s.v.data(), w.joint_force.data(),
+                                 &w.overlay,    nullptr,    m.dt,       mass_damping,
+                                 local_damping, gravity,    gravity,    true};
     sums = set.tet_forces(tets, 0, m.tets.blocks());
   }
 };
@@ -80,7 +85,9 @@ double difference(core::Buffer<double> const& a, core::Buffer<double> const& b) 
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
   return most / largest(a);
 }
-double difference(double a, double b) { return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-300}); }
+double difference(double a, double b) {
+  return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-300});
+}
 
 class KernelSets : public testing::TestWithParam<char const*> {
  protected:
@@ -98,7 +105,8 @@ class KernelSets : public testing::TestWithParam<char const*> {
     EXPECT_LE(difference(oracle.w.joint_force, other.w.joint_force), 1e-12);
     EXPECT_LE(difference(oracle.s.u, other.s.u), 1e-12);
     EXPECT_LE(difference(oracle.s.v, other.s.v), 1e-12);
-    EXPECT_TRUE(std::equal(oracle.s.joint_status.begin(), oracle.s.joint_status.end(), other.s.joint_status.begin()));
+    EXPECT_TRUE(
+        std::equal(oracle.s.joint_status.begin(), oracle.s.joint_status.end(), other.s.joint_status.begin()));
     EXPECT_LE(difference(oracle.sums.kinetic, other.sums.kinetic), 1e-12);
     EXPECT_LE(difference(oracle.sums.viscous, other.sums.viscous), 1e-12);
     EXPECT_LE(difference(oracle.sums.gravity, other.sums.gravity), 1e-11); // a sum of both signs
@@ -108,7 +116,8 @@ class KernelSets : public testing::TestWithParam<char const*> {
   KernelSet const* set_ = nullptr;
 };
 
-// Requirement: one step of an elastic, viscous, damped, loaded model gives the scalar kernel's numbers to 1e-12.
+// Requirement: one step of an elastic, viscous, damped, loaded model gives the scalar kernel's numbers to
+// 1e-12.
 TEST_P(KernelSets, agree_on_an_elastic_step) {
   auto concrete = plain_concrete();
   concrete.mu_bar = 1e4;
@@ -129,18 +138,21 @@ TEST_P(KernelSets, agree_on_the_law_paper) {
   concrete.tet_law = model::TetLaw::paper;
   concrete.mu_bar = 1e4;
   Bench oracle(concrete), other(concrete);
-  for (Bench* b : {&oracle, &other}) b->shake(1e-7, 0.1), b->gravity = {0, 0, -9.81}, b->mass_damping = 1, b->local_damping = 0.1;
+  for (Bench* b : {&oracle, &other})
+    b->shake(1e-7, 0.1), b->gravity = {0, 0, -9.81}, b->mass_damping = 1, b->local_damping = 0.1;
   expect_same_step(oracle, other);
 }
 
-// Requirement: with constant shear strength and joints far beyond their strength, the same joints go to the full law.
+// Requirement: with constant shear strength and joints far beyond their strength, the same joints go to the
+// full law.
 TEST_P(KernelSets, agree_on_a_cracking_step) {
   auto concrete = plain_concrete();
   concrete.shear = model::ShearStrength::constant;
   concrete.f_s = 5e6;
   concrete.mu_bar = 1e4;
   Bench oracle(concrete), other(concrete);
-  for (Bench* b : {&oracle, &other}) b->shake(1e-5, 0.1), b->gravity = {0, 0, -9.81}, b->mass_damping = 1, b->local_damping = 0.1;
+  for (Bench* b : {&oracle, &other})
+    b->shake(1e-5, 0.1), b->gravity = {0, 0, -9.81}, b->mass_damping = 1, b->local_damping = 0.1;
   expect_same_step(oracle, other);
   EXPECT_GT(concrete::count_joints(oracle.m, oracle.s).damaged, 0);
 }
@@ -177,7 +189,8 @@ TEST_P(KernelSets, leave_padding_at_rest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, KernelSets, testing::Values("v2", "v3", "v4"), [](auto const& i) { return i.param; });
+INSTANTIATE_TEST_SUITE_P(Sets, KernelSets, testing::Values("v2", "v3", "v4"),
+                         [](auto const& i) { return i.param; });
 
 // Requirement: an unknown kernel set is refused with the names there are.
 TEST(KernelChoice, refuses_unknown_names) {

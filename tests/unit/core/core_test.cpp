@@ -22,7 +22,8 @@ TEST(Place, reads_file_line_column) {
   EXPECT_EQ(to_string(Place{"mesh.msh", 0, 0}), "mesh.msh");
 }
 
-// Requirement: an InputError carries every finding, its text names each place, and its failure is "bad input".
+// Requirement: an InputError carries every finding, its text names each place, and its failure is "bad
+// input".
 TEST(InputError, names_every_finding) {
   InputError const e({{{"a.toml", 1, 2}, "no such key"}, {{"a.toml", 9, 1}, "must be positive"}});
   std::string const text = e.what();
@@ -93,7 +94,8 @@ TEST(Matrix, obeys_linear_algebra) {
   EXPECT_EQ(unit(Vec3{}), Vec3{});
 }
 
-// Requirement: a pack of nodes loads from scattered nodes and stores to strided ones lane by lane; the pad becomes 0.
+// Requirement: a pack of nodes loads from scattered nodes and stores to strided ones lane by lane; the pad
+// becomes 0.
 TEST(Pack, loads_and_stores_nodes) {
   constexpr int n = lanes<Pack>;
   std::vector<double> nodes(4 * 64), out(16 * n, -1);

@@ -27,7 +27,8 @@ Curve table(std::vector<double> times, std::vector<double> values) {
 }
 Curve cycles(std::vector<double> peaks, double period, int repeats, bool one_sided) {
   Curve c;
-  c.kind = Curve::Kind::cycles, c.peaks = std::move(peaks), c.period = period, c.repeats = repeats, c.one_sided = one_sided;
+  c.kind = Curve::Kind::cycles, c.peaks = std::move(peaks), c.period = period, c.repeats = repeats,
+  c.one_sided = one_sided;
   return c;
 }
 
@@ -57,7 +58,7 @@ TEST(SmoothStep, is_flat_at_both_ends) {
   EXPECT_EQ(smooth_step(2), 1);
   EXPECT_DOUBLE_EQ(smooth_step(0.5), 0.5);
   double const h = 1e-3;
-  EXPECT_LT(smooth_step(h), 11 * h * h * h);     // 10 x^3: no slope, no curvature
+  EXPECT_LT(smooth_step(h), 11 * h * h * h); // 10 x^3: no slope, no curvature
   EXPECT_LT(1 - smooth_step(1 - h), 11 * h * h * h);
 }
 
@@ -101,7 +102,8 @@ TEST(Curves, cycles_visit_their_peaks) {
   for (double t = 0; t <= 4; t += 0.1) EXPECT_GE(value_at(one, t), 0);
 }
 
-// Requirement: ramps and cycles never jump in velocity, neither at the start nor at a reversal nor at the end.
+// Requirement: ramps and cycles never jump in velocity, neither at the start nor at a reversal nor at the
+// end.
 TEST(Curves, ramps_and_cycles_have_no_velocity_jump) {
   for (auto const& c : {ramp(2, 1), cycles({1, 2, 0.5}, 0.3, 2, false), cycles({1, 2}, 0.4, 1, true)}) {
     auto const v = velocity_of(c, 2.5);

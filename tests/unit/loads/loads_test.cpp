@@ -64,12 +64,14 @@ TEST(Gravity, is_curve_times_direction) {
   EXPECT_EQ(gravity_at(c.m, c.s, 1), (Vec3{0, 0, -10}));
 }
 
-// Requirement: a support takes back the step its nodes would have made, and its reaction is the force that does it.
+// Requirement: a support takes back the step its nodes would have made, and its reaction is the force that
+// does it.
 TEST(MoveSupports, a_support_holds_its_nodes) {
   Cell c;
   c.prescribe("base", 2, {}, true, {3, 8});
   double const dt = c.m.dt, free = -4e-3;
-  for (int const n : {3, 8}) c.s.v[4 * n + 2] = free, c.s.u[4 * n + 2] = free * dt; // as the tet pass left them
+  for (int const n : {3, 8})
+    c.s.v[4 * n + 2] = free, c.s.u[4 * n + 2] = free * dt; // as the tet pass left them
   c.s.v[4 * 5 + 2] = 7;
   auto const effects = move_supports(c.m, c.s, {});
   for (int const n : {3, 8}) {
@@ -83,21 +85,23 @@ TEST(MoveSupports, a_support_holds_its_nodes) {
   EXPECT_NEAR(effects.kinetic, -0.125 * (c.m.mass[3] + c.m.mass[8]) * free * free, 1e-15);
 }
 
-// Requirement: with mass-proportional and local damping the reaction is still the force that holds the node: damping
-// acts on what moves, and a node held at rest does not.
+// Requirement: with mass-proportional and local damping the reaction is still the force that holds the node:
+// damping acts on what moves, and a node held at rest does not.
 TEST(MoveSupports, damping_does_not_blur_reactions) {
   Cell c;
   c.m.stages[0].mass_damping = 5000;
   c.m.stages[0].local_damping = 0.5;
   c.prescribe("base", 0, {}, true, {0});
-  double const dt = c.m.dt, a = 300; // held node: v = 0 before, so local damping has no sense and takes nothing
+  double const dt = c.m.dt,
+               a = 300; // held node: v = 0 before, so local damping has no sense and takes nothing
   c.s.v[0] = dt * a / (1 + 0.5 * 5000 * dt);
   c.s.u[0] = dt * c.s.v[0];
   move_supports(c.m, c.s, {});
   EXPECT_NEAR(c.s.reaction[0], -c.m.mass[0] * a, 1e-9 * c.m.mass[0] * a);
 }
 
-// Requirement: a prescribed displacement is reached exactly at each step, and a prescribed velocity holds at half steps.
+// Requirement: a prescribed displacement is reached exactly at each step, and a prescribed velocity holds at
+// half steps.
 TEST(MoveSupports, motions_are_met) {
   Cell c;
   model::Curve ramp;
@@ -118,7 +122,8 @@ TEST(MoveSupports, motions_are_met) {
   EXPECT_NEAR(c.s.u[0], 1e-3, 1e-15);
 }
 
-// Requirement: the work of a motion is the mean of the reactions before and after times the way, in two halves.
+// Requirement: the work of a motion is the mean of the reactions before and after times the way, in two
+// halves.
 TEST(MoveSupports, work_is_reaction_times_way) {
   Cell c;
   c.prescribe("push", 0, constant(2), true, {0});

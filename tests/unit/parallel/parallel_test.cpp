@@ -14,7 +14,8 @@ TEST(Chunks, cover_every_item_once) {
   for (int const threads : {1, 2, 3, 8}) {
     Threads const limit(threads);
     EXPECT_EQ(limit.count(), threads);
-    for (std::size_t const n : {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{1001}}) {
+    for (std::size_t const n :
+         {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{1001}}) {
       std::vector<std::atomic<int>> seen(n);
       for_chunks(n, 100, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         EXPECT_EQ(begin, 100 * chunk);

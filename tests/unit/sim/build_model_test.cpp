@@ -23,8 +23,8 @@ model::Case half_bonded() {
   return c;
 }
 
-// Requirement: tets of a bonded material share their nodes, those of a jointed one own theirs, and the side between
-// both has joints.
+// Requirement: tets of a bonded material share their nodes, those of a jointed one own theirs, and the side
+// between both has joints.
 TEST(MixedMaterials, are_joined_where_they_meet) {
   Stepper x(half_bonded());
   int inside_solid = 0, between = 0, inside_cracking = 0;
@@ -43,7 +43,8 @@ TEST(MixedMaterials, are_joined_where_they_meet) {
       EXPECT_EQ(x.m.material_of_tet[x.m.bonding.node[i] / 4], 0);
 }
 
-// Requirement: in a mixed body bonded copies move as one to the bit, and elastic energy and momentum are kept.
+// Requirement: in a mixed body bonded copies move as one to the bit, and elastic energy and momentum are
+// kept.
 TEST(MixedMaterials, move_as_one_body) {
   Stepper x(half_bonded());
   for (int n = 0; n < node_count(x.m); ++n) {
@@ -96,7 +97,8 @@ TEST(BuildModel, chooses_the_step) {
   EXPECT_DOUBLE_EQ(Stepper(c).m.dt, a.m.dt * 5 / 9 / 1.2);
 }
 
-// Requirement: selective mass scaling lifts the step to the one asked for and adds mass only where it is needed.
+// Requirement: selective mass scaling lifts the step to the one asked for and adds mass only where it is
+// needed.
 TEST(BuildModel, selective_mass_scaling_lifts_the_step) {
   auto c = tie_case({4, 2, 2}, 1, 1);
   Stepper const plain(c);
@@ -122,7 +124,8 @@ TEST(BuildLoads, supports_hold_all_copies) {
   EXPECT_EQ(x.m.prescribed[3].name, "pull");
 }
 
-// Requirement: a total force keeps its size and direction however it is shared, and a pressure acts on the whole area.
+// Requirement: a total force keeps its size and direction however it is shared, and a pressure acts on the
+// whole area.
 TEST(BuildLoads, forces_keep_their_total) {
   auto c = tie_case({4, 2, 2}, 1, 1);
   model::ForceSpec f;
@@ -144,7 +147,8 @@ TEST(BuildLoads, forces_keep_their_total) {
   EXPECT_NEAR(norm(total(2) - Vec3{0.06, 0, 0}), 0, 1e-12);
 }
 
-// ---- monitor -----------------------------------------------------------------------------------------------------
+// ---- monitor
+// -----------------------------------------------------------------------------------------------------
 
 step::EnergyBalance balance(double work, double held) {
   step::EnergyBalance e;
@@ -178,7 +182,8 @@ TEST(Monitor, names_the_place_of_a_nan) {
   int const tet = 13;
   x.s.u[16 * tet + 5] = std::numeric_limits<double>::quiet_NaN();
   std::string const where = sim::find_non_finite(x.m, x.s);
-  EXPECT_EQ(where.find("in tet " + std::to_string(x.m.mesh.input_id[tet]) + " of group concrete at ("), 0u) << where;
+  EXPECT_EQ(where.find("in tet " + std::to_string(x.m.mesh.input_id[tet]) + " of group concrete at ("), 0u)
+      << where;
   sim::Monitor m(x.m);
   auto const reason = m.take(x.read(), x.m, x.s);
   ASSERT_TRUE(reason);
@@ -200,32 +205,37 @@ TEST(Monitor, kinetic_ratio_ignores_the_start) {
   EXPECT_NEAR(m.kinetic_ratio(), 0.02, 1e-12);
 }
 
-// ---- fields ------------------------------------------------------------------------------------------------------
+// ---- fields
+// ------------------------------------------------------------------------------------------------------
 
-// Requirement: frames hold a cell per tet, per damaged joint and per bar element and joint, with arrays that fit.
+// Requirement: frames hold a cell per tet, per damaged joint and per bar element and joint, with arrays that
+// fit.
 TEST(Fields, have_the_size_of_the_model) {
   Stepper x(tie_case({4, 2, 2}, 1, 2));
   x.advance(600);
   int const damaged = concrete::count_joints(x.m, x.s).damaged;
   ASSERT_GT(damaged, 0);
-  auto const tets = sim::tet_grid(x.m, x.s), cracks = sim::crack_grid(x.m, x.s), bars = sim::bar_grid(x.m, x.s);
+  auto const tets = sim::tet_grid(x.m, x.s), cracks = sim::crack_grid(x.m, x.s),
+             bars = sim::bar_grid(x.m, x.s);
   EXPECT_EQ(tets.types.size(), static_cast<std::size_t>(x.m.tet_count()));
   EXPECT_EQ(cracks.types.size(), static_cast<std::size_t>(damaged));
   EXPECT_EQ(bars.types.size(), x.m.bars.elements.size() + x.m.bars.joints.size());
-  for (auto const* g : {&tets, &cracks, &bars})
-    EXPECT_EQ(g->connectivity.size(), g->points.size());
+  for (auto const* g : {&tets, &cracks, &bars}) EXPECT_EQ(g->connectivity.size(), g->points.size());
 }
 
-// ---- check and templates -----------------------------------------------------------------------------------------
+// ---- check and templates
+// -----------------------------------------------------------------------------------------
 
 // Requirement: the forecast names size, step and cost.
 TEST(Check, forecasts_the_cost) {
   auto const text = sim::check_case(tie_case({4, 1, 1}, 1e-3, 1));
-  for (char const* word : {"tets", "joints", "time step", "steps", "wall time", "memory", "disk", "bar elements"})
+  for (char const* word :
+       {"tets", "joints", "time step", "steps", "wall time", "memory", "disk", "bar elements"})
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }
 
-// Requirement: a template is written once and never over another case; unknown names are answered with the known ones.
+// Requirement: a template is written once and never over another case; unknown names are answered with the
+// known ones.
 TEST(Templates, are_written_once) {
   output::testing::TemporaryFolder const folder;
   sim::write_template("tie", folder / "new");

@@ -40,7 +40,8 @@ void open_gap(Stepper& x, double at, double gap) {
   }
 }
 
-// Requirement: a displacement gauge reads the mean over all points it selects, times its factor; velocity likewise.
+// Requirement: a displacement gauge reads the mean over all points it selects, times its factor; velocity
+// likewise.
 TEST(Gauges, displacement_and_velocity_are_means) {
   auto c = gauged_tie();
   c.gauges = {displacement("u", plane(0, 0.6), 2), displacement("v", plane(0, 0.6), 2)};
@@ -51,7 +52,8 @@ TEST(Gauges, displacement_and_velocity_are_means) {
   set_field(x.m, x.s.u, [](Vec3 X) { return Vec3{0, 0, X.x < 0.5 ? 9 : 1e-3 + X.y - 0.05}; });
   set_field(x.m, x.s.v, [](Vec3 X) { return Vec3{0, 0, X.x < 0.5 ? 9 : 4 + X.z - 0.05}; });
   g.read_state(x.m, x.s);
-  EXPECT_NEAR(g.values()[0], -2e-3, 2e-2); // the mean weighs a point by its copies, which differ from corner to corner
+  EXPECT_NEAR(g.values()[0], -2e-3,
+              2e-2); // the mean weighs a point by its copies, which differ from corner to corner
   EXPECT_NEAR(g.values()[1], 4, 2e-2);
   EXPECT_EQ(g.find("v"), 1);
   EXPECT_EQ(g.find("w"), -1);
@@ -59,7 +61,8 @@ TEST(Gauges, displacement_and_velocity_are_means) {
   EXPECT_EQ(g.columns()[1].unit, "m/s");
 }
 
-// Requirement: the reaction gauge sums the named supports and motions along its axis, and forces read their value.
+// Requirement: the reaction gauge sums the named supports and motions along its axis, and forces read their
+// value.
 TEST(Gauges, reaction_and_force) {
   auto c = gauged_tie();
   auto r = gauge("both", Kind::reaction), f = gauge("applied", Kind::force);
@@ -68,19 +71,20 @@ TEST(Gauges, reaction_and_force) {
   c.gauges = {r, f};
   Stepper x(c);
   sim::Gauges g(x.m);
-  for (std::size_t i = 0; i < x.m.prescribed.size(); ++i) x.s.reaction[i] = std::pow(10, static_cast<double>(i));
+  for (std::size_t i = 0; i < x.m.prescribed.size(); ++i)
+    x.s.reaction[i] = std::pow(10, static_cast<double>(i));
   g.read_forces(x.m, x.s, 0);
   EXPECT_EQ(g.values()[0], 1 + 1000); // left holds x, y, z; pull moves x
   EXPECT_NEAR(g.values()[1], -500, 1e-9);
   EXPECT_EQ(g.columns()[0].unit, "N");
 }
 
-// Requirement: a crack-width gauge reads an imposed gap, wherever its line runs: through the body, along mesh lines,
-// on the faces and edges of the body, in either direction; and it reads 0 where there is none.
+// Requirement: a crack-width gauge reads an imposed gap, wherever its line runs: through the body, along mesh
+// lines, on the faces and edges of the body, in either direction; and it reads 0 where there is none.
 TEST(Gauges, crack_width_is_the_imposed_gap) {
-  std::vector<std::pair<double, double>> const lines{{0.031, 0.043}, {0.05, 0.05}, {0.05, 0.02}, {0, 0.03}, {0.1, 0.03},
-                                                     {0.03, 0},      {0.03, 0.1},  {0, 0},       {0.1, 0},  {0, 0.1},
-                                                     {0.1, 0.1}};
+  std::vector<std::pair<double, double>> const lines{{0.031, 0.043}, {0.05, 0.05}, {0.05, 0.02}, {0, 0.03},
+                                                     {0.1, 0.03},    {0.03, 0},    {0.03, 0.1},  {0, 0},
+                                                     {0.1, 0},       {0, 0.1},     {0.1, 0.1}};
   for (auto const& [y, z] : lines)
     for (bool const forwards : {true, false}) {
       SCOPED_TRACE(testing::Message() << "y = " << y << ", z = " << z << (forwards ? "" : ", backwards"));
@@ -115,9 +119,9 @@ TEST(Gauges, mean_strain) {
 // Requirement: bar gauges read the element or joint nearest to their place, each quantity with its unit.
 TEST(Gauges, bars) {
   auto c = gauged_tie();
-  std::vector<std::pair<std::string, std::string>> const quantities{{"stress", "Pa"},      {"joint_stress", "Pa"},
-                                                                    {"joint_strain", "-"}, {"slip", "m"},
-                                                                    {"normalised_slip", "-"}, {"dowel_force", "N"}};
+  std::vector<std::pair<std::string, std::string>> const quantities{
+      {"stress", "Pa"}, {"joint_stress", "Pa"},   {"joint_strain", "-"},
+      {"slip", "m"},    {"normalised_slip", "-"}, {"dowel_force", "N"}};
   for (auto const& [quantity, unit] : quantities) {
     auto g = gauge(quantity, Kind::bar);
     g.bar = "bar", g.quantity = quantity, g.from = {0.31, 0.05, 0.05};
@@ -133,7 +137,9 @@ TEST(Gauges, bars) {
   std::size_t nearest = 0, joint = 0;
   for (std::size_t i = 0; i < x.m.bars.elements.size(); ++i)
     if (std::abs(centre(i) - 0.31) < std::abs(centre(nearest) - 0.31)) nearest = i;
-  auto place = [&](std::size_t i) { return x.m.bars.elements[static_cast<std::size_t>(x.m.bars.joints[i].elem_b)].start; };
+  auto place = [&](std::size_t i) {
+    return x.m.bars.elements[static_cast<std::size_t>(x.m.bars.joints[i].elem_b)].start;
+  };
   for (std::size_t i = 0; i < x.m.bars.joints.size(); ++i)
     if (std::abs(place(i) - 0.31) < std::abs(place(joint) - 0.31)) joint = i;
   b.element_stress[nearest] = 1, b.joint_stress[joint] = 2, b.joint_strain[joint] = 3, b.slip[joint] = 4;
@@ -173,21 +179,28 @@ TEST(Gauges, refuse_what_is_not_there) {
   axis.of = {"pull"}, axis.axis = 2;
   auto bar = gauge("b", Kind::bar);
   bar.bar = "bar", bar.copy = 3, bar.quantity = "stress";
-  c.gauges = {r, axis, bar, line_gauge(Kind::crack_width, {5, 5, 5}, {6, 5, 5}),
-              line_gauge(Kind::mean_strain, {0.1, 0, 0}, {0.1, 0, 0}), displacement("u", plane(0, 7), 0)};
-  for (std::size_t i = 0; i < c.gauges.size(); ++i) c.gauges[i].place.line = c.gauges[i].where.place.line = 40 + static_cast<int>(i);
+  c.gauges = {r,
+              axis,
+              bar,
+              line_gauge(Kind::crack_width, {5, 5, 5}, {6, 5, 5}),
+              line_gauge(Kind::mean_strain, {0.1, 0, 0}, {0.1, 0, 0}),
+              displacement("u", plane(0, 7), 0)};
+  for (std::size_t i = 0; i < c.gauges.size(); ++i)
+    c.gauges[i].place.line = c.gauges[i].where.place.line = 40 + static_cast<int>(i);
   Stepper x(c);
   try {
     sim::Gauges const g(x.m);
     FAIL() << "no error";
   } catch (core::InputError const& e) {
     ASSERT_EQ(e.diagnostics.size(), c.gauges.size());
-    for (std::size_t i = 0; i < c.gauges.size(); ++i) EXPECT_EQ(e.diagnostics[i].place.line, 40 + static_cast<int>(i));
+    for (std::size_t i = 0; i < c.gauges.size(); ++i)
+      EXPECT_EQ(e.diagnostics[i].place.line, 40 + static_cast<int>(i));
     EXPECT_NE(e.diagnostics[0].message.find("nobody"), std::string::npos);
   }
 }
 
-// ---- stops -------------------------------------------------------------------------------------------------------
+// ---- stops
+// -------------------------------------------------------------------------------------------------------
 
 struct StopCase {
   Stepper x;

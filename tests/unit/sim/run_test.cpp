@@ -40,7 +40,9 @@ sim::RunOptions options_for(std::string const& out) {
   o.threads = 1;
   return o;
 }
-nlohmann::json summary(std::string const& folder) { return nlohmann::json::parse(read_bytes(folder + "/run.json")); }
+nlohmann::json summary(std::string const& folder) {
+  return nlohmann::json::parse(read_bytes(folder + "/run.json"));
+}
 
 std::vector<std::string> lines_of(std::string const& path) {
   std::istringstream in(read_bytes(path));
@@ -59,7 +61,8 @@ std::vector<double> column(std::vector<std::string> const& lines, std::string co
   auto const header = cells_of(lines[0]);
   auto const where = std::find(header.begin(), header.end(), name) - header.begin();
   std::vector<double> values;
-  for (std::size_t i = 1; i < lines.size(); ++i) values.push_back(std::stod(cells_of(lines[i])[static_cast<std::size_t>(where)]));
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    values.push_back(std::stod(cells_of(lines[i])[static_cast<std::size_t>(where)]));
   return values;
 }
 core::Failure failure_of(model::Case const& c, sim::RunOptions const& o) {
@@ -78,14 +81,34 @@ TEST(RunFolder, is_complete) {
   auto const result = sim::run_case(small_tie(), options_for(folder / "run"));
   EXPECT_EQ(result.status, "complete");
   EXPECT_EQ(result.folder, folder / "run");
-  for (char const* file : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "log.txt", "case.toml"})
+  for (char const* file :
+       {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "log.txt", "case.toml"})
     EXPECT_TRUE(fs::is_regular_file(folder / "run/" + file)) << file;
   EXPECT_EQ(read_bytes(folder / "run/case.toml"), "title = \"test\"\n");
   auto const j = summary(folder / "run");
-  for (char const* key : {"status", "reason", "version", "threads", "tets", "joints", "bar_elements", "bar_joints", "dt", "steps",
-                          "time", "wall_seconds", "tet_steps_per_second", "joints_damaged", "joints_broken",
-                          "bar_joints_activated", "bar_joints_yielded", "bars_broken", "energy", "energy_residual",
-                          "max_kinetic_ratio", "state_hash", "stable_dt_limiter"})
+  for (char const* key : {"status",
+                          "reason",
+                          "version",
+                          "threads",
+                          "tets",
+                          "joints",
+                          "bar_elements",
+                          "bar_joints",
+                          "dt",
+                          "steps",
+                          "time",
+                          "wall_seconds",
+                          "tet_steps_per_second",
+                          "joints_damaged",
+                          "joints_broken",
+                          "bar_joints_activated",
+                          "bar_joints_yielded",
+                          "bars_broken",
+                          "energy",
+                          "energy_residual",
+                          "max_kinetic_ratio",
+                          "state_hash",
+                          "stable_dt_limiter"})
     EXPECT_TRUE(j.contains(key)) << key;
   EXPECT_EQ(j["status"], "complete");
   EXPECT_EQ(j["version"], "1.2.3");
@@ -114,8 +137,8 @@ TEST(RunFolder, collections_name_existing_frames) {
   }
 }
 
-// Requirement: history.csv begins with time, the gauges with their units and the reactions, then the energies and
-// counts; it has about as many rows as asked for, in rising time.
+// Requirement: history.csv begins with time, the gauges with their units and the reactions, then the energies
+// and counts; it has about as many rows as asked for, in rising time.
 TEST(RunFolder, history_has_its_columns) {
   TemporaryFolder const folder;
   sim::run_case(small_tie(), options_for(folder / "run"));
@@ -128,8 +151,8 @@ TEST(RunFolder, history_has_its_columns) {
   EXPECT_EQ(header[3], "reaction_left_x [N]");
   EXPECT_EQ(header[6], "reaction_pull_x [N]");
   EXPECT_EQ(header[7], "energy_kinetic [J]");
-  for (char const* name : {"energy_residual [-]", "joints_damaged [-]", "joints_broken [-]", "bar_joints_activated [-]",
-                           "bar_joints_yielded [-]", "bars_broken [-]"})
+  for (char const* name : {"energy_residual [-]", "joints_damaged [-]", "joints_broken [-]",
+                           "bar_joints_activated [-]", "bar_joints_yielded [-]", "bars_broken [-]"})
     EXPECT_NE(std::find(header.begin(), header.end(), name), header.end()) << name;
   EXPECT_GE(lines.size(), 20u);
   EXPECT_LE(lines.size(), 23u);
@@ -140,7 +163,8 @@ TEST(RunFolder, history_has_its_columns) {
   EXPECT_EQ(column(lines, "force [N]"), column(lines, "reaction_pull_x [N]"));
 }
 
-// Requirement: what a gauge reports at a time belongs to that time: the pulled end is where its ramp has brought it.
+// Requirement: what a gauge reports at a time belongs to that time: the pulled end is where its ramp has
+// brought it.
 TEST(RunFolder, history_rows_belong_to_their_time) {
   auto c = small_tie();
   c.motions[0] = motion_at("pull", plane(0, 0.6), 0, ramp(1e-5, 6e-4));
@@ -200,10 +224,11 @@ TEST(RunFolder, that_cannot_be_made_is_an_io_failure) {
   EXPECT_EQ(failure_of(small_tie(), options_for(folder / "file/run")), core::Failure::io);
 }
 
-// ---- how runs end ------------------------------------------------------------------------------------------------
+// ---- how runs end
+// ------------------------------------------------------------------------------------------------
 
-// Requirement: a time step far too large ends the run as failed: no exception, a reason with the time, and a folder
-// that tells so.
+// Requirement: a time step far too large ends the run as failed: no exception, a reason with the time, and a
+// folder that tells so.
 TEST(RunEnds, failed_with_a_reason) {
   auto c = small_tie();
   Stepper const x(c);
@@ -233,7 +258,8 @@ TEST(RunEnds, failed_naming_the_place_of_a_nan) {
   EXPECT_NE(result.reason.find("of group concrete at ("), std::string::npos) << result.reason;
 }
 
-// Requirement: a stop condition, max_steps and --until end the run early, each with its reason and a full folder.
+// Requirement: a stop condition, max_steps and --until end the run early, each with its reason and a full
+// folder.
 TEST(RunEnds, early_with_the_reason) {
   TemporaryFolder const folder;
   auto c = small_tie();
@@ -255,10 +281,12 @@ TEST(RunEnds, early_with_the_reason) {
   auto o = options_for(folder / "until");
   o.until = 2e-4;
   EXPECT_EQ(sim::run_case(small_tie(), o).status, "stopped");
-  EXPECT_NEAR(summary(folder / "until")["time"].get<double>(), 2e-4, 2 * summary(folder / "until")["dt"].get<double>());
+  EXPECT_NEAR(summary(folder / "until")["time"].get<double>(), 2e-4,
+              2 * summary(folder / "until")["dt"].get<double>());
 }
 
-// ---- stages ------------------------------------------------------------------------------------------------------
+// ---- stages
+// ------------------------------------------------------------------------------------------------------
 
 /// A bonded prism hung up at x = 0 in a stage `rest`, then pulled in a stage `pull` of 3 ms.
 model::Case two_stages(double gravity_ramp) {
@@ -287,8 +315,8 @@ model::Case two_stages(double gravity_ramp) {
 }
 double const hung_weight = 2500 * 0.2 * 0.1 * 0.1 * 9.81;
 
-// Requirement: a stage that has settled ends early and brings the end of the run forward; motions start with their
-// stage, and gauges zeroed there read from then on.
+// Requirement: a stage that has settled ends early and brings the end of the run forward; motions start with
+// their stage, and gauges zeroed there read from then on.
 TEST(Stages, follow_one_another) {
   TemporaryFolder const folder;
   auto const result = sim::run_case(two_stages(1e-3), options_for(folder / "run"));
@@ -296,10 +324,13 @@ TEST(Stages, follow_one_another) {
   EXPECT_LT(summary(folder / "run")["time"].get<double>(), 0.02) << "`rest` ended early, so the run should";
   EXPECT_NE(read_bytes(folder / "run/log.txt").find("stage `pull` begins"), std::string::npos);
   auto const lines = lines_of(folder / "run/history.csv");
-  auto const u = column(lines, "u [m]"), time = column(lines, "time [s]"), reaction = column(lines, "weight [N]");
+  auto const u = column(lines, "u [m]"), time = column(lines, "time [s]"),
+             reaction = column(lines, "weight [N]");
   EXPECT_NEAR(u.back(), 2e-6, 1e-8);
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (time[i] > 0.95e-3 && time[i] < 1.05e-3) { EXPECT_NEAR(reaction[i], -hung_weight, 0.1 * hung_weight); }
+    if (time[i] > 0.95e-3 && time[i] < 1.05e-3) {
+      EXPECT_NEAR(reaction[i], -hung_weight, 0.1 * hung_weight);
+    }
   }
 }
 
@@ -311,7 +342,9 @@ TEST(Stages, do_not_settle_while_loads_grow) {
   auto const lines = lines_of(folder / "run/history.csv");
   auto const time = column(lines, "time [s]"), reaction = column(lines, "weight [N]");
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (time[i] > 1.9e-2 && time[i] < 2e-2) { EXPECT_NEAR(reaction[i], -hung_weight, 0.02 * hung_weight); }
+    if (time[i] > 1.9e-2 && time[i] < 2e-2) {
+      EXPECT_NEAR(reaction[i], -hung_weight, 0.02 * hung_weight);
+    }
   }
 }
 

@@ -1,4 +1,5 @@
-// Counts heap allocations; in a file of its own so that the compiler does not pair an inlined delete with its own new.
+// Counts heap allocations; in a file of its own so that the compiler does not pair an inlined delete with its
+// own new.
 #include "count_allocations.hpp"
 
 #include <atomic>
@@ -14,7 +15,13 @@ void* operator new(std::size_t size) {
   if (void* const p = std::malloc(size ? size : 1)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
 
-long fissura::support::allocations() { return count; }
+long fissura::support::allocations() {
+  return count;
+}

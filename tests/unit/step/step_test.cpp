@@ -89,7 +89,8 @@ TEST(Step, reading_the_ledger_changes_nothing) {
 TEST(EnergyBalance, adds_up) {
   step::EnergyBalance e;
   e.kinetic = 1, e.strain = 2, e.joints = 4, e.bars = 8, e.bar_joints = 16;
-  e.fracture_I = 32, e.fracture_II = 64, e.friction = 128, e.bond_steel = 256, e.dowel = 512, e.rupture = 1024;
+  e.fracture_I = 32, e.fracture_II = 64, e.friction = 128, e.bond_steel = 256, e.dowel = 512,
+  e.rupture = 1024;
   e.viscous = 2048, e.mass_damping = 4096, e.local_damping = 8192;
   e.work_supports = 16384, e.work_forces = 32768, e.work_gravity = 65536;
   e.start = 131072;

@@ -64,8 +64,8 @@ TEST(JointBalance, damaged_joints) {
   expect_balance(x, 1e-3);
 }
 
-// Requirement: the force on each node of a joint is the sum of traction times area/6 over its two mid-edges: a joint
-// opened evenly pulls its faces together with sigma A, shared equally.
+// Requirement: the force on each node of a joint is the sum of traction times area/6 over its two mid-edges:
+// a joint opened evenly pulls its faces together with sigma A, shared equally.
 TEST(JointBalance, an_evenly_opened_joint_carries_stress_times_area) {
   auto const concrete = plain_concrete();
   auto m = concrete_model(box_mesh({2, 1, 1}, {0.2, 0.1, 0.1}), concrete);

@@ -11,7 +11,8 @@ Mat3 const gradient{{Vec3{2e-3, 1e-3, -3e-3}, Vec3{0.5e-3, -4e-3, 2e-3}, Vec3{-1
 /// Cauchy stress of the hyperelastic law, T = [G (B - I) + lambda/2 (J^2 - 1) I]/J.
 std::array<double, 6> exact_stress(model::ConcreteSpec const& c) {
   Mat3 const F = gradient + Mat3::identity(), B = F * transpose(F);
-  double const G = c.E / (2 * (1 + c.nu)), lambda = c.E * c.nu / ((1 + c.nu) * (1 - 2 * c.nu)), J = determinant(F);
+  double const G = c.E / (2 * (1 + c.nu)), lambda = c.E * c.nu / ((1 + c.nu) * (1 - 2 * c.nu)),
+               J = determinant(F);
   Mat3 const T = (1 / J) * (G * (B - Mat3::identity()) + 0.5 * lambda * (J * J - 1) * Mat3::identity());
   return {T[0].x, T[1].y, T[2].z, T[0].y, T[1].z, T[0].z};
 }
@@ -30,7 +31,8 @@ struct Patch {
   }
 };
 
-// Requirement: on a random mesh without joints a constant strain gives the exact stress in every tet, to 1e-12.
+// Requirement: on a random mesh without joints a constant strain gives the exact stress in every tet, to
+// 1e-12.
 TEST(Patch, constant_strain_gives_the_exact_stress) {
   for (std::uint64_t const seed : {1, 2, 3}) {
     Patch p(seed);
@@ -44,7 +46,8 @@ TEST(Patch, constant_strain_gives_the_exact_stress) {
   }
 }
 
-// Requirement: under constant strain no net force acts on interior points, to 1e-12 of the forces that cancel there.
+// Requirement: under constant strain no net force acts on interior points, to 1e-12 of the forces that cancel
+// there.
 TEST(Patch, interior_points_are_in_balance) {
   Patch p(4);
   core::Buffer<double> f;
@@ -64,7 +67,8 @@ TEST(Patch, interior_points_are_in_balance) {
   EXPECT_EQ(inner, 3 * 2 * 2);
 }
 
-// Requirement: the same holds in the step: a bonded body that is stretched evenly accelerates only at its surface.
+// Requirement: the same holds in the step: a bonded body that is stretched evenly accelerates only at its
+// surface.
 TEST(Patch, a_step_moves_only_the_surface) {
   Patch p(5);
   p.m.dt = 1e-7;

@@ -23,8 +23,8 @@ double largest_force(core::Buffer<double> const& force) {
 
 class Turning : public testing::TestWithParam<model::TetLaw> {};
 
-// Requirement: under rotation through 360 degrees the stress stays below 1e-10 E and the tet forces below 1e-10 of
-// E times the face area, in both laws and every kernel set.
+// Requirement: under rotation through 360 degrees the stress stays below 1e-10 E and the tet forces below
+// 1e-10 of E times the face area, in both laws and every kernel set.
 TEST_P(Turning, causes_no_stress_and_no_force) {
   auto concrete = plain_concrete();
   concrete.tet_law = GetParam();
@@ -50,7 +50,9 @@ TEST_P(Turning, causes_no_stress_and_no_force) {
   EXPECT_LE(strain_energy, 1e-14 * concrete.E * 0.3 * 0.2 * 0.2);
 }
 INSTANTIATE_TEST_SUITE_P(Laws, Turning, testing::Values(model::TetLaw::hyperelastic, model::TetLaw::paper),
-                         [](auto const& i) { return i.param == model::TetLaw::paper ? "paper" : "hyperelastic"; });
+                         [](auto const& i) {
+                           return i.param == model::TetLaw::paper ? "paper" : "hyperelastic";
+                         });
 
 // Requirement: joints carry nothing in a rigid motion, however large.
 TEST(RigidMotion, loads_no_joint) {
@@ -66,8 +68,8 @@ TEST(RigidMotion, loads_no_joint) {
   EXPECT_LE(concrete::joint_energy(m, s), 1e-20);
 }
 
-// Requirement: with mu_bar > 0 a rigid spin (v = omega x r at the turned position) dissipates less than 1e-12 of what
-// a shear of the same rate would.
+// Requirement: with mu_bar > 0 a rigid spin (v = omega x r at the turned position) dissipates less than 1e-12
+// of what a shear of the same rate would.
 TEST(RigidMotion, rigid_spin_dissipates_nothing) {
   auto concrete = plain_concrete();
   concrete.mu_bar = 1e5;
@@ -85,7 +87,8 @@ TEST(RigidMotion, rigid_spin_dissipates_nothing) {
   }
 }
 
-// Requirement: Eq. 8's viscous stress is mu_bar D: a stretching rate d along x dissipates mu_bar d^2 per volume.
+// Requirement: Eq. 8's viscous stress is mu_bar D: a stretching rate d along x dissipates mu_bar d^2 per
+// volume.
 TEST(RigidMotion, stretching_dissipates_as_eq_8_says) {
   auto concrete = plain_concrete();
   concrete.mu_bar = 1e5;
@@ -95,7 +98,8 @@ TEST(RigidMotion, stretching_dissipates_as_eq_8_says) {
   core::Buffer<double> f;
   set_field(m, s.v, [](Vec3 X) { return Vec3{0.5 * X.x, 0, 0}; });
   double const dt = 1e-6;
-  EXPECT_NEAR(corner_forces(m, s, w, dt, f), concrete.mu_bar * 0.25 * 0.008 * dt, 1e-12 * concrete.mu_bar * 0.25 * 0.008 * dt);
+  EXPECT_NEAR(corner_forces(m, s, w, dt, f), concrete.mu_bar * 0.25 * 0.008 * dt,
+              1e-12 * concrete.mu_bar * 0.25 * 0.008 * dt);
   double power = 0;
   for (int n = 0; n < node_count(m); ++n) power -= dot(at_node(f, n), at_node(s.v, n));
   EXPECT_NEAR(power, concrete.mu_bar * 0.25 * 0.008, 1e-9 * concrete.mu_bar * 0.25 * 0.008);

@@ -19,8 +19,7 @@ struct Watched {
 };
 
 /// A plain prism pulled until it cracks; `meddle` may change the state after any step.
-template <class Meddle>
-Watched watch(double stop, Meddle const& meddle) {
+template <class Meddle> Watched watch(double stop, Meddle const& meddle) {
   auto c = tie_case({6, 2, 2}, 1, 0.2);
   c.run.mass_damping = 500;
   c.run.residual_stop = stop;
@@ -42,7 +41,8 @@ Watched watch(double stop, Meddle const& meddle) {
 /// Changes the velocities so that the kinetic energy grows by `energy` (or shrinks).
 void add_kinetic(Stepper& x, double energy) {
   double kinetic = 0;
-  for (int n = 0; n < node_count(x.m); ++n) kinetic += 0.5 * x.m.mass[n] * dot(at_node(x.s.v, n), at_node(x.s.v, n));
+  for (int n = 0; n < node_count(x.m); ++n)
+    kinetic += 0.5 * x.m.mass[n] * dot(at_node(x.s.v, n), at_node(x.s.v, n));
   double const factor = std::sqrt(std::max(0.0, 1 + energy / kinetic));
   for (double& v : x.s.v) v *= factor;
 }
@@ -57,8 +57,8 @@ TEST(Residual, is_small_in_a_sound_run) {
   RecordProperty("residual", std::to_string(r.residual));
 }
 
-// Requirement: energy put in by nobody, 2 % of the work, is seen as creation: in the residual, as a warning, and as the
-// reason to stop where the limit is 1.5 %.
+// Requirement: energy put in by nobody, 2 % of the work, is seen as creation: in the residual, as a warning,
+// and as the reason to stop where the limit is 1.5 %.
 TEST(Residual, sees_two_percent_created) {
   auto inject = [](Stepper& x, int i) {
     if (i == 5000) add_kinetic(x, 0.02 * x.e.absolute_work);

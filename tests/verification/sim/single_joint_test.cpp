@@ -14,11 +14,12 @@ namespace {
 
 constexpr double h = 0.05; ///< cell [m]
 
-/// Two cells in a row; the left one is bonded, the right one jointed but uncrackable inside: only the plane between
-/// them can open.
+/// Two cells in a row; the left one is bonded, the right one jointed but uncrackable inside: only the plane
+/// between them can open.
 model::Case two_cells() {
   auto c = box_case({1, 1, 1}, {h, h, h}, 0.03);
-  c.mesh.boxes = {box_of_cells("left", {}, {h, h, h}, {1, 1, 1}), box_of_cells("right", {h, 0, 0}, {2 * h, h, h}, {1, 1, 1})};
+  c.mesh.boxes = {box_of_cells("left", {}, {h, h, h}, {1, 1, 1}),
+                  box_of_cells("right", {h, 0, 0}, {2 * h, h, h}, {1, 1, 1})};
   auto left = plain_concrete(), right = plain_concrete();
   left.name = "bonded", left.groups = {"left"}, left.joints = false, left.nu = 0;
   right.name = "jointed", right.groups = {"right"}, right.nu = 0;
@@ -54,8 +55,9 @@ double work_to_failure(model::Case const& c) {
   return work;
 }
 
-// Requirement: the work to pull one plane to failure is (G_f + 2/3 f_t o_p) A within 0.1 %: in the fracture account
-// itself, and in the external work less what is still held or was damped. The energy residual stays below 0.5 %.
+// Requirement: the work to pull one plane to failure is (G_f + 2/3 f_t o_p) A within 0.1 %: in the fracture
+// account itself, and in the external work less what is still held or was damped. The energy residual stays
+// below 0.5 %.
 TEST(SingleJoint, work_to_failure_is_the_fracture_energy) {
   for (auto const law : {model::JointLaw::energy_consistent, model::JointLaw::paper}) {
     auto c = two_cells();
@@ -82,7 +84,8 @@ TEST(SingleJoint, the_customary_softening_range_dissipates_more) {
   auto const result = run(c);
   EXPECT_EQ(result["joints_broken"], 2);
   double const elastic = work_to_failure(two_cells()) - 120 * h * h;
-  EXPECT_NEAR(result["energy"]["fracture_I"].get<double>(), 1.1589 * 120 * h * h + elastic, 2e-3 * 120 * h * h);
+  EXPECT_NEAR(result["energy"]["fracture_I"].get<double>(), 1.1589 * 120 * h * h + elastic,
+              2e-3 * 120 * h * h);
 }
 
 } // namespace

@@ -54,7 +54,8 @@ TEST_P(Column, half_the_work_of_a_linear_body_is_held) {
   settle(x, 0.02);
   EXPECT_NEAR(x.e.internal(), 0.5 * x.e.work_gravity, 2e-3 * x.e.work_gravity);
 }
-INSTANTIATE_TEST_SUITE_P(Bodies, Column, testing::Bool(), [](auto const& i) { return i.param ? "jointed" : "bonded"; });
+INSTANTIATE_TEST_SUITE_P(Bodies, Column, testing::Bool(),
+                         [](auto const& i) { return i.param ? "jointed" : "bonded"; });
 
 // Requirement: the top of a bonded column with nu = 0 sinks by rho g L^2/(2 E), but for the lumped masses.
 TEST(Statics, a_bonded_column_sinks_as_the_bar_theory_says) {
@@ -81,12 +82,13 @@ TEST(Statics, local_damping_settles_to_the_same_reaction) {
   EXPECT_GT(x.e.local_damping, 0);
 }
 
-// Requirement: gravity acts on the real mass of every part: with mass scaling in one half, jointed or bonded to the
-// other, the reaction is still the weight.
+// Requirement: gravity acts on the real mass of every part: with mass scaling in one half, jointed or bonded
+// to the other, the reaction is still the weight.
 TEST(Statics, mass_scaling_does_not_change_the_weight) {
   for (bool const joints : {true, false}) {
     auto c = column(joints);
-    c.mesh.boxes = {box_of_cells("lower", {}, {0.2, 0.2, 0.4}, {2, 2, 2}), box_of_cells("upper", {0, 0, 0.4}, {0.2, 0.2, 0.8}, {2, 2, 2})};
+    c.mesh.boxes = {box_of_cells("lower", {}, {0.2, 0.2, 0.4}, {2, 2, 2}),
+                    box_of_cells("upper", {0, 0, 0.4}, {0.2, 0.2, 0.8}, {2, 2, 2})};
     c.concretes.push_back(c.concretes[0]);
     c.concretes[0].name = "heavy", c.concretes[0].groups = {"lower"}, c.concretes[0].density_factor = 5;
     c.concretes[1].name = "light", c.concretes[1].groups = {"upper"};
@@ -103,7 +105,8 @@ TEST(Statics, applied_loads_reach_the_support) {
   auto c = column(true);
   c.gravity.on = false;
   model::TractionSpec pressure;
-  pressure.name = "pressure", pressure.where = plane(2, 0.8), pressure.normal = true, pressure.curve = ramp(1e5, 4e-3);
+  pressure.name = "pressure", pressure.where = plane(2, 0.8), pressure.normal = true,
+  pressure.curve = ramp(1e5, 4e-3);
   c.tractions = {pressure};
   model::ForceSpec push;
   push.name = "push", push.where = plane(2, 0.8), push.direction = {1, 0, 0}, push.curve = ramp(100, 4e-3);
@@ -119,7 +122,8 @@ TEST(Statics, applied_loads_reach_the_support) {
 TEST(Statics, a_stretched_prism_answers_with_its_stiffness) {
   auto c = box_case({4, 2, 2}, {0.4, 0.1, 0.1}, 1);
   c.concretes[0].nu = 0, c.concretes[0].joints = false;
-  c.supports = {support_at("left", plane(0, 0), {true, false, false}), support_at("y", plane(1, 0), {false, true, false}),
+  c.supports = {support_at("left", plane(0, 0), {true, false, false}),
+                support_at("y", plane(1, 0), {false, true, false}),
                 support_at("z", plane(2, 0), {false, false, true})};
   c.motions = {motion_at("pull", plane(0, 0.4), 0, ramp(4e-6, 5e-3))};
   c.run.mass_damping = 4000;

@@ -41,8 +41,8 @@ Vec3 smooth_velocity(Vec3 X) {
   return {0.02 * std::cos(pi * x), 0.01 * std::cos(2 * pi * x), 0.005 * std::cos(pi * x)};
 }
 
-/// Energy held over 2e4 steps of free vibration: largest departure from the start, and the trend: the change of the
-/// mean from the first to the last quarter, both as shares of the start.
+/// Energy held over 2e4 steps of free vibration: largest departure from the start, and the trend: the change
+/// of the mean from the first to the last quarter, both as shares of the start.
 struct Vibration {
   double departure = 0, trend = 0, start = 0;
 };
@@ -62,8 +62,8 @@ Vibration vibrate(Body& b) {
   return r;
 }
 
-// Requirement: over 2e4 steps of elastic free vibration of a jointed block the energy stays within 1e-3 of its start and
-// shows no trend.
+// Requirement: over 2e4 steps of elastic free vibration of a jointed block the energy stays within 1e-3 of
+// its start and shows no trend.
 TEST(Energy, free_vibration_of_a_jointed_block_keeps_its_energy) {
   Body b(random_box_mesh(31, {4, 1, 1}, size));
   set_field(b.m, b.s.v, smooth_velocity);
@@ -108,8 +108,8 @@ TEST(Energy, free_vibration_of_a_bonded_block_keeps_energy_and_momentum) {
   EXPECT_LE(norm(momentum() - before), 1e-10 * b.m.total_mass * 0.01);
 }
 
-// Requirement: in free fall the work of gravity is the kinetic energy (but for that of the half step at the start) and
-// the velocity is g t.
+// Requirement: in free fall the work of gravity is the kinetic energy (but for that of the half step at the
+// start) and the velocity is g t.
 TEST(Energy, free_fall) {
   Body b(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}));
   b.m.gravity.on = true;
@@ -118,13 +118,14 @@ TEST(Energy, free_fall) {
   for (int i = 0; i < 1999; ++i) b.advance();
   auto const& e = b.read(); // u_1999; v is now that of 1999.5 steps
   EXPECT_NEAR(e.kinetic, e.work_gravity, 1e-6 * e.kinetic);
-  EXPECT_NEAR(e.work_gravity, b.m.total_mass * 9.81 * 9.81 * b.m.dt * b.m.dt * 1999 * 2000 / 2, 1e-9 * e.kinetic);
+  EXPECT_NEAR(e.work_gravity, b.m.total_mass * 9.81 * 9.81 * b.m.dt * b.m.dt * 1999 * 2000 / 2,
+              1e-9 * e.kinetic);
   EXPECT_LE(e.internal(), 1e-9 * e.kinetic);
   EXPECT_NEAR(b.s.v[2], -9.81 * 2000 * b.m.dt, 1e-9 * 9.81 * 2000 * b.m.dt);
 }
 
-// Requirement: under mass scaling gravity acts on the real mass: a body ten times as heavy falls ten times as slowly,
-// and the ledger closes.
+// Requirement: under mass scaling gravity acts on the real mass: a body ten times as heavy falls ten times as
+// slowly, and the ledger closes.
 TEST(Energy, free_fall_with_mass_scaling_closes_the_ledger) {
   auto concrete = plain_concrete();
   concrete.density_factor = 10;
@@ -139,7 +140,8 @@ TEST(Energy, free_fall_with_mass_scaling_closes_the_ledger) {
   EXPECT_NEAR(b.s.v[2], -0.981 * 1000 * b.m.dt, 1e-9);
 }
 
-// Requirement: mass-proportional damping slows a free block as exp(-c t), and its account holds what was lost.
+// Requirement: mass-proportional damping slows a free block as exp(-c t), and its account holds what was
+// lost.
 TEST(Energy, mass_damping_decays_exponentially) {
   Body b(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}));
   double const c = 2000;
@@ -200,8 +202,8 @@ TEST(Energy, viscosity_of_a_vibration_is_accounted) {
   std::printf("viscous: missing %.2e of the start\n", (start - e.viscous - e.held()) / start);
 }
 
-// Requirement: a free block that spins keeps energy and angular momentum and comes round to where it began; viscosity,
-// which lags half a step behind the turning, takes less than 1e-5 of the energy in one turn.
+// Requirement: a free block that spins keeps energy and angular momentum and comes round to where it began;
+// viscosity, which lags half a step behind the turning, takes less than 1e-5 of the energy in one turn.
 TEST(Energy, a_spinning_block_comes_round) {
   auto concrete = plain_concrete();
   concrete.mu_bar = 1e4;

@@ -12,7 +12,8 @@ namespace {
 /// One of 100 random meshes: size, shape, joints, bars and viscosity all vary with the number.
 model::Model random_model(int number) {
   Random random(1000 + static_cast<std::uint64_t>(number));
-  std::array<int, 3> const cells{1 + static_cast<int>(random.next() % 3), 1 + static_cast<int>(random.next() % 3),
+  std::array<int, 3> const cells{1 + static_cast<int>(random.next() % 3),
+                                 1 + static_cast<int>(random.next() % 3),
                                  1 + static_cast<int>(random.next() % 2)};
   double const edge = random.uniform(0.03, 0.3);
   Vec3 const size{edge * cells[0], edge * cells[1] * random.uniform(0.5, 1.5), edge * cells[2]};
@@ -31,11 +32,12 @@ model::Model random_model(int number) {
     if (number % 4 == 1) settings.between_cracks = model::BarBetweenCracks::elastic;
     settings.dowel = number % 8 != 3;
   }
-  return reinforced_model(random_box_mesh(static_cast<std::uint64_t>(number), cells, size), concrete, bars, settings);
+  return reinforced_model(random_box_mesh(static_cast<std::uint64_t>(number), cells, size), concrete, bars,
+                          settings);
 }
 
-// Requirement: on 100 random meshes (undamaged, bars activated, some with viscosity) the estimate is safe and not
-// below half of the true limit.
+// Requirement: on 100 random meshes (undamaged, bars activated, some with viscosity) the estimate is safe and
+// not below half of the true limit.
 TEST(StableStep, lies_between_half_and_all_of_the_true_limit) {
   double least = 1e300, most = 0;
   for (int i = 0; i < 100; ++i) {
@@ -72,7 +74,8 @@ TEST(StableStep, nine_tenths_of_the_estimate_is_stable) {
     auto w = step::make_scratch(m);
     activate_bars(m, s);
     Random random(static_cast<std::uint64_t>(i));
-    std::vector<Vec3> velocity(m.mesh.points.size()); // copies of a point start alike, so bonded meshes stay bonded
+    std::vector<Vec3> velocity(
+        m.mesh.points.size()); // copies of a point start alike, so bonded meshes stay bonded
     for (auto& v : velocity) v = random.vector(-1e-5, 1e-5);
     for (int n = 0; n < node_count(m); ++n) set_node(s.v, n, velocity[m.mesh.tets[n / 4][n % 4]]);
     double const start = energy(m, s, w);
@@ -82,7 +85,8 @@ TEST(StableStep, nine_tenths_of_the_estimate_is_stable) {
         largest = std::max(largest, energy(m, s, w));
       else
         step::advance(m, s, w);
-    EXPECT_LT(largest, 3 * start) << "mesh " << i; // the energy of central differences swings, but does not grow
+    EXPECT_LT(largest, 3 * start) << "mesh "
+                                  << i; // the energy of central differences swings, but does not grow
   }
 }
 
@@ -108,7 +112,8 @@ TEST(StableStep, a_step_beyond_the_true_limit_blows_up) {
 // Requirement: the limiter names what governs and where.
 TEST(StableStep, names_its_limiter) {
   auto concrete = unbreakable_concrete();
-  auto const jointed = step::stable_step(reinforced_model(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {}));
+  auto const jointed =
+      step::stable_step(reinforced_model(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {}));
   EXPECT_EQ(jointed.limiter.find("joint at tet "), 0u) << jointed.limiter;
   EXPECT_GE(jointed.tet, 0);
   EXPECT_NEAR(jointed.omega * jointed.dt, 2, 1e-12);
@@ -118,7 +123,8 @@ TEST(StableStep, names_its_limiter) {
   EXPECT_GT(bonded.dt, jointed.dt);
   concrete.joints = true;
   auto const bar = straight_bar({0, 0.07, 0.09}, {0.2, 0.08, 0.12}, 0.04);
-  auto const reinforced = step::stable_step(reinforced_model(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {bar}));
+  auto const reinforced =
+      step::stable_step(reinforced_model(box_mesh({2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {bar}));
   EXPECT_EQ(reinforced.limiter.find("bar joint at tet "), 0u) << reinforced.limiter;
 }
 
@@ -127,7 +133,8 @@ TEST(StableStep, falls_with_viscosity) {
   auto concrete = unbreakable_concrete();
   auto dt = [&](double mu_bar) {
     concrete.mu_bar = mu_bar;
-    return step::stable_step(reinforced_model(random_box_mesh(8, {2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {})).dt;
+    return step::stable_step(reinforced_model(random_box_mesh(8, {2, 2, 2}, {0.2, 0.2, 0.2}), concrete, {}))
+        .dt;
   };
   EXPECT_LT(dt(1e4), dt(0));
   EXPECT_NEAR(dt(1e9), 0.1 * dt(1e8), 1e-3 * dt(1e8));
