@@ -1,5 +1,5 @@
-// The command line: parse, call the library, print, choose the exit code. Exit codes: 0 complete or stopped as asked,
-// 1 failed run, 2 bad input, 3 input/output failure.
+// The command line: parse, call the library, print, choose the exit code. Exit codes: 0 complete or stopped
+// as asked, 1 failed run, 2 bad input, 3 input/output failure.
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -44,7 +44,8 @@ int check(std::string const& deck, std::vector<std::string> const& set) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Fissura: how reinforced concrete cracks, slips, yields and falls apart (3-D finite-discrete elements)"};
+  CLI::App app{"Fissura: how reinforced concrete cracks, slips, yields and falls apart (3-D finite-discrete "
+               "elements)"};
   app.set_version_flag("--version", FISSURA_VERSION);
   app.require_subcommand(1);
 
@@ -52,16 +53,20 @@ int main(int argc, char** argv) {
   auto* run_command = app.add_subcommand("run", "Run a case file and leave a run folder");
   run_command->add_option("case", run_arguments.deck, "Case file (TOML)")->required();
   run_command->add_option("--out", run_arguments.options.out, "Run folder (default: <case>.run)");
-  run_command->add_option("--threads", run_arguments.options.threads, "Threads (default: all, or as the deck says)");
+  run_command->add_option("--threads", run_arguments.options.threads,
+                          "Threads (default: all, or as the deck says)");
   run_command->add_option("--until", run_arguments.options.until, "Stop at this time [s]");
-  run_command->add_option("--walltime", run_arguments.options.walltime, "Stop after so many seconds of wall time");
-  run_command->add_option("--set", run_arguments.set, "Change the deck: key=value, repeatable")->allow_extra_args(false);
+  run_command->add_option("--walltime", run_arguments.options.walltime,
+                          "Stop after so many seconds of wall time");
+  run_command->add_option("--set", run_arguments.set, "Change the deck: key=value, repeatable")
+      ->allow_extra_args(false);
   run_command->add_flag("--quiet", run_arguments.options.quiet, "Nothing on the terminal but errors");
   run_command->add_flag("--force", run_arguments.options.force, "Overwrite an existing run folder");
 
   std::string deck;
   std::vector<std::string> set;
-  auto* check_command = app.add_subcommand("check", "Report every error of a case file, or forecast its cost");
+  auto* check_command =
+      app.add_subcommand("check", "Report every error of a case file, or forecast its cost");
   check_command->add_option("case", deck, "Case file (TOML)")->required();
   check_command->add_option("--set", set, "Change the deck: key=value, repeatable")->allow_extra_args(false);
 

@@ -8,10 +8,11 @@ namespace fissura::concrete {
 /// F_conc,JE at u_n: tractions of all joints into their slots; histories and dissipation move on.
 void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 
-/// F_conc,FE at u_n, gather of joint forces and overlay, damping, Eq. (1): v(n-1/2), u(n) -> v(n+1/2), u(n+1).
-/// Gravity acts with `gravity`; `gravity_mean` (now and next step) gives its work. Returns what the step dissipated.
-state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w, Vec3 gravity,
-                                        Vec3 gravity_mean, bool want_kinetic);
+/// F_conc,FE at u_n, gather of joint forces and overlay, damping, Eq. (1): v(n-1/2), u(n) -> v(n+1/2),
+/// u(n+1). Gravity acts with `gravity`; `gravity_mean` (now and next step) gives its work. Returns what the
+/// step dissipated.
+state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w,
+                                        Vec3 gravity, Vec3 gravity_mean, bool want_kinetic);
 
 /// The full law of one joint: evaluates its three points, updates its history and overwrites its force.
 void damaged_joint(model::Model const& m, state::State& s, double* joint_force, int joint);

@@ -20,7 +20,8 @@ Vec3 displacement(State const& s, int node, double back) {
 Vec3 reference_edge(Model const& m, int joint, int which) {
   auto const j = static_cast<std::size_t>(joint);
   auto const& e = m.joints.edge;
-  return {e[model::at(j, 3 * which, 6)], e[model::at(j, 3 * which + 1, 6)], e[model::at(j, 3 * which + 2, 6)]};
+  return {e[model::at(j, 3 * which, 6)], e[model::at(j, 3 * which + 1, 6)],
+          e[model::at(j, 3 * which + 2, 6)]};
 }
 
 /// A crack-face pair lets go once its faces overlap by less than half and none of its points presses.
@@ -66,13 +67,15 @@ void damaged_joint(Model const& m, State& s, double* joint_force, int joint) {
     return;
   }
   JointKinematics const now = joint_kinematics(m, s, joint);
-  if (status == static_cast<std::uint8_t>(JointStatus::intact)) history.last = joint_kinematics(m, s, joint, m.dt).at;
+  if (status == static_cast<std::uint8_t>(JointStatus::intact))
+    history.last = joint_kinematics(m, s, joint, m.dt).at;
   bool const broken = status == static_cast<std::uint8_t>(JointStatus::broken);
   std::array<Vec3, 3> traction;
   bool any_damage = false, all_failed = true;
   for (int q = 0; q < 3; ++q) {
     laws::Dissipation lost{};
-    auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], history.last[q], broken, lost);
+    auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], history.last[q],
+                                           broken, lost);
     traction[q] = t.sigma * now.normal + t.tau_1 * now.axis_1 + t.tau_2 * now.axis_2;
     history.dissipated.mode_I += lost.mode_I * j.area / 3;
     history.dissipated.mode_II += lost.mode_II * j.area / 3;

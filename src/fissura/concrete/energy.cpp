@@ -16,12 +16,14 @@ constexpr std::size_t items_per_chunk = 512;
 /// W = G/2 (tr B - 3 - 2 ln J) + lambda/4 (J^2 - 1 - 2 ln J), written in H = F - I so that small strains keep
 /// their digits.
 double hyperelastic_density(double G, double lambda, Mat3 const& H) {
-  double const first = trace(H), second = 0.5 * (first * first - contract(H, transpose(H))), third = determinant(H);
+  double const first = trace(H), second = 0.5 * (first * first - contract(H, transpose(H))),
+               third = determinant(H);
   double const j = first + second + third, log_j = std::log1p(j); // J = 1 + j
   return 0.5 * G * (2 * first + contract(H, H) - 2 * log_j) + 0.25 * lambda * (j * (2 + j) - 2 * log_j);
 }
 
-/// Energy of a linear law in the strain of Eq. 7. The law `paper` has no potential; this is the small-strain one.
+/// Energy of a linear law in the strain of Eq. 7. The law `paper` has no potential; this is the small-strain
+/// one.
 double paper_density(double G, double lambda, Mat3 const& H) {
   Mat3 const E = 0.5 * (H + transpose(H) + H * transpose(H));
   return G * contract(E, E) + 0.5 * lambda * trace(E) * trace(E);
@@ -53,7 +55,8 @@ double strain_energy(Model const& m, State const& s) {
           Mat3 const H = displacement_gradient(m, s, static_cast<int>(t));
           double const G = m.tets.shear_modulus[t], lambda = m.tets.lame[t];
           bool const paper = m.tets.is_paper[t / model::block];
-          sum += m.tets.volume[t] * (paper ? paper_density(G, lambda, H) : hyperelastic_density(G, lambda, H));
+          sum +=
+              m.tets.volume[t] * (paper ? paper_density(G, lambda, H) : hyperelastic_density(G, lambda, H));
         }
         return sum;
       });

@@ -25,16 +25,20 @@ void evaluate_damaged(void const* context, int joint) {
 }
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
-TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::size_t begin, std::size_t end) {
+TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::size_t begin,
+                           std::size_t end) {
   TetSums sums;
-  double const dt = pass.dt, keep = 1 - 0.5 * pass.mass_damping * dt, scale = 1 / (1 + 0.5 * pass.mass_damping * dt);
+  double const dt = pass.dt, keep = 1 - 0.5 * pass.mass_damping * dt,
+               scale = 1 / (1 + 0.5 * pass.mass_damping * dt);
   for (std::size_t c = begin; c < end; ++c) {
     int const from = m.bonding.start[c], to = m.bonding.start[c + 1], first = m.bonding.node[from];
     std::size_t const tet = static_cast<std::size_t>(first / 4);
     double const inverse = m.tets.inverse_mass[model::at(tet, first % 4, 4)], mass = 1 / inverse;
-    double weighing = 0; // the members may be scaled differently: gravity acts on the sum of their real masses
+    double weighing =
+        0; // the members may be scaled differently: gravity acts on the sum of their real masses
     for (int i = from; i < to; ++i)
-      weighing += m.mass[m.bonding.node[i]] * m.tets.weight_ratio[static_cast<std::size_t>(m.bonding.node[i] / 4)];
+      weighing +=
+          m.mass[m.bonding.node[i]] * m.tets.weight_ratio[static_cast<std::size_t>(m.bonding.node[i] / 4)];
     double const ratio = weighing * inverse;
     for (int r = 0; r < 3; ++r) {
       double f = 0;
@@ -69,7 +73,8 @@ void add(TetSums& to, TetSums const& from) {
 
 void joint_forces(Model const& m, State& s, Scratch& w) {
   DamagedContext const context{m, s, w.joint_force.data()};
-  JointPass const pass{&m.joints, s.u.data(), w.joint_force.data(), s.joint_status.data(), &evaluate_damaged, &context};
+  JointPass const pass{&m.joints,         s.u.data(), w.joint_force.data(), s.joint_status.data(),
+                       &evaluate_damaged, &context};
   auto const run = kernels().joint_forces;
   parallel::for_chunks(m.joints.blocks(), blocks_per_chunk,
                        [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
@@ -78,13 +83,23 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
                                  bool want_kinetic) {
   auto const& stage = m.stages[s.stage];
-  TetPass const pass{&m.tets, s.u.data(), s.v.data(), w.joint_force.data(), &w.overlay,
-                     m.bonding.any ? w.corner_force.data() : nullptr, m.dt, stage.mass_damping, stage.local_damping,
-                     gravity, gravity_mean, want_kinetic};
+  TetPass const pass{&m.tets,
+                     s.u.data(),
+                     s.v.data(),
+                     w.joint_force.data(),
+                     &w.overlay,
+                     m.bonding.any ? w.corner_force.data() : nullptr,
+                     m.dt,
+                     stage.mass_damping,
+                     stage.local_damping,
+                     gravity,
+                     gravity_mean,
+                     want_kinetic};
   auto const run = kernels().tet_forces;
-  parallel::for_chunks(m.tets.blocks(), blocks_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    w.tet_sums[chunk] = run(pass, begin, end);
-  });
+  parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
+                       [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                         w.tet_sums[chunk] = run(pass, begin, end);
+                       });
   TetSums total;
   std::size_t const chunks = parallel::chunks(m.tets.blocks(), blocks_per_chunk);
   for (std::size_t c = 0; c < chunks; ++c) add(total, w.tet_sums[c]);

@@ -14,10 +14,7 @@ using core::load;
 using core::Vec;
 
 /// Elastic constants of one pack of joints.
-template <class V>
-struct JointConstants {
-  V k, quarter_ft, shear_limit, tan_phi, quarter_fs, weight;
-};
+template <class V> struct JointConstants { V k, quarter_ft, shear_limit, tan_phi, quarter_fs, weight; };
 
 /// Traction at one mid-edge from its jump d; marks in `beyond` the lanes that left the undamaged range.
 template <class V, class M>
@@ -34,8 +31,7 @@ inline Vec<V> intact_traction(JointConstants<V> const& c, Vec<V> d, Vec<V> n, M&
   return sigma * n + V(c.k * (one - slide * c.quarter_fs)) * sliding;
 }
 
-template <class V>
-inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
+template <class V> inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
   using core::load_nodes;
   constexpr int w = core::lanes<V>;
   int const* const node = pass.joints->node.data() + b * 6 * model::block + lane0;
@@ -50,7 +46,8 @@ inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
     jump[k] = ub - ua;
     mean[k] = half * (ua + ub);
   }
-  // Current mid-triangle: reference edges plus differences of mean displacements, so small jumps lose no digits.
+  // Current mid-triangle: reference edges plus differences of mean displacements, so small jumps lose no
+  // digits.
   auto row = [&](int i) { return load<V>(edge + i * model::block); };
   Vec<V> const e1 = Vec<V>{row(0), row(1), row(2)} + (mean[1] - mean[0]);
   Vec<V> const e2 = Vec<V>{row(3), row(4), row(5)} + (mean[2] - mean[0]);
@@ -79,8 +76,7 @@ inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
     if (status[i] || core::lane(beyond, i)) pass.damaged(pass.context, static_cast<int>(first) + i);
 }
 
-template <class V>
-void joint_forces(JointPass const& pass, std::size_t begin, std::size_t end) {
+template <class V> void joint_forces(JointPass const& pass, std::size_t begin, std::size_t end) {
   for (std::size_t b = begin; b < end; ++b)
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) joint_pack<V>(pass, b, lane);
 }

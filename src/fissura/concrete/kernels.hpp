@@ -25,12 +25,12 @@ struct TetPass {
   double* v;
   double const* joint_force;
   state::Overlay const* overlay;
-  double* corner_force;   ///< bonded meshes: write corner forces here and do not integrate; else nullptr
+  double* corner_force; ///< bonded meshes: write corner forces here and do not integrate; else nullptr
   double dt;
-  double mass_damping;    ///< c [1/s]
-  double local_damping;   ///< alpha [-]
-  Vec3 gravity;           ///< acceleration now [m/s2]
-  Vec3 gravity_mean;      ///< mean of now and of the next step, for its work
+  double mass_damping;  ///< c [1/s]
+  double local_damping; ///< alpha [-]
+  Vec3 gravity;         ///< acceleration now [m/s2]
+  Vec3 gravity_mean;    ///< mean of now and of the next step, for its work
   bool want_kinetic;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Tet forces (Eqs. 6-12), the gather of the joint forces, and the integration of Eq. (1) in one pass over the tets.
-// Included only by the files that are compiled per instruction set.
+// Tet forces (Eqs. 6-12), the gather of the joint forces, and the integration of Eq. (1) in one pass over the
+// tets. Included only by the files that are compiled per instruction set.
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/core/pack.hpp"
 
@@ -10,24 +10,20 @@ inline namespace FISSURA_ISA {
 using core::load;
 using core::Vec;
 
-template <class V>
-struct Mat {
+template <class V> struct Mat {
   Vec<V> x, y, z; // rows
 };
 /// sum over the three edges of (edge vector) x (reference gradient).
-template <class V>
-inline Mat<V> gradient_of(Vec<V> const* d, Vec<V> const* g) {
+template <class V> inline Mat<V> gradient_of(Vec<V> const* d, Vec<V> const* g) {
   return {d[0].x * g[0] + d[1].x * g[1] + d[2].x * g[2], d[0].y * g[0] + d[1].y * g[1] + d[2].y * g[2],
           d[0].z * g[0] + d[1].z * g[1] + d[2].z * g[2]};
 }
-template <class V>
-inline Vec<V> times(Mat<V> const& m, Vec<V> v) {
+template <class V> inline Vec<V> times(Mat<V> const& m, Vec<V> v) {
   return {core::dot(m.x, v), core::dot(m.y, v), core::dot(m.z, v)};
 }
 
 /// One pack of tets on its way through the step.
-template <class V>
-struct TetPack {
+template <class V> struct TetPack {
   TetPass const& pass;
   std::size_t block;
   int lane0;
@@ -49,8 +45,7 @@ struct TetPack {
 
   /// Internal forces: f_a = -V P grad N_a with P = G F + s cof F (hyperelastic) or T cof F (law `paper`).
   /// Returns the power dissipated by the viscous stress [W].
-  template <bool paper>
-  V internal_forces() {
+  template <bool paper> V internal_forces() {
     model::TetBlocks const& t = *pass.tets;
     V const one(1.0), half(0.5);
     double const* const gp = constant(t.gradient, 9);
@@ -72,7 +67,8 @@ struct TetPack {
       V const ezz = half * (core::dot(F.z, F.z) - one), mean = lambda * (exx + eyy + ezz), G2 = G + G;
       V const txy = G * core::dot(F.x, F.y), txz = G * core::dot(F.x, F.z), tyz = G * core::dot(F.y, F.z);
       V const txx = G2 * exx + mean, tyy = G2 * eyy + mean, tzz = G2 * ezz + mean;
-      P = {txx * C.x + txy * C.y + txz * C.z, txy * C.x + tyy * C.y + tyz * C.z, txz * C.x + tyz * C.y + tzz * C.z};
+      P = {txx * C.x + txy * C.y + txz * C.z, txy * C.x + tyy * C.y + tyz * C.z,
+           txz * C.x + tyz * C.y + tzz * C.z};
     } else {
       V const s = (half * lambda * (J * J - one) - G) / J;
       P = {G * F.x + s * C.x, G * F.y + s * C.y, G * F.z + s * C.z};
@@ -93,7 +89,8 @@ struct TetPack {
     Mat<V> const Fdot = gradient_of(dv, g);
     V const inv = V(1.0) / J;
     // F^-1 = C^T/J: L_ij = Fdot_i . C_j / J
-    V const dxx = inv * core::dot(Fdot.x, C.x), dyy = inv * core::dot(Fdot.y, C.y), dzz = inv * core::dot(Fdot.z, C.z);
+    V const dxx = inv * core::dot(Fdot.x, C.x), dyy = inv * core::dot(Fdot.y, C.y),
+            dzz = inv * core::dot(Fdot.z, C.z);
     V const dxy = half * inv * (core::dot(Fdot.x, C.y) + core::dot(Fdot.y, C.x));
     V const dxz = half * inv * (core::dot(Fdot.x, C.z) + core::dot(Fdot.z, C.x));
     V const dyz = half * inv * (core::dot(Fdot.y, C.z) + core::dot(Fdot.z, C.y));
@@ -141,13 +138,15 @@ struct TetPack {
     for (int a = 0; a < 4; ++a) core::store_nodes<V>(pass.corner_force + 4 * (first_node() + a), 16, f[a]);
   }
 
-  /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local damping.
+  /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local
+  /// damping.
   void integrate(V (&sums)[4]) {
     V const zero(0.0), half(0.5), dt(pass.dt), alpha(pass.local_damping);
     V const ratio = load<V>(constant(pass.tets->weight_ratio, 1));
     V const keep(1 - 0.5 * pass.mass_damping * pass.dt), scale(1 / (1 + 0.5 * pass.mass_damping * pass.dt));
     Vec<V> const g{V(pass.gravity.x) * ratio, V(pass.gravity.y) * ratio, V(pass.gravity.z) * ratio};
-    Vec<V> const gm{V(pass.gravity_mean.x) * ratio, V(pass.gravity_mean.y) * ratio, V(pass.gravity_mean.z) * ratio};
+    Vec<V> const gm{V(pass.gravity_mean.x) * ratio, V(pass.gravity_mean.y) * ratio,
+                    V(pass.gravity_mean.z) * ratio};
     double const* const im = constant(pass.tets->inverse_mass, 4);
     for (int a = 0; a < 4; ++a) {
       V const inverse = load<V>(im + a * model::block);
@@ -179,8 +178,7 @@ struct TetPack {
   }
 };
 
-template <class V>
-inline double sum_lanes(V v) {
+template <class V> inline double sum_lanes(V v) {
   if constexpr (std::is_same_v<V, double>)
     return v;
   else {
@@ -190,14 +188,14 @@ inline double sum_lanes(V v) {
   }
 }
 
-template <class V>
-state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
+template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
   V viscous(0.0), sums[4] = {V(0.0), V(0.0), V(0.0), V(0.0)};
   for (std::size_t b = begin; b < end; ++b)
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
       TetPack<V> p{pass, b, lane, {}, {}, {}};
       p.load_state();
-      viscous += pass.tets->is_paper[b] ? p.template internal_forces<true>() : p.template internal_forces<false>();
+      viscous +=
+          pass.tets->is_paper[b] ? p.template internal_forces<true>() : p.template internal_forces<false>();
       p.gather_joint_forces();
       p.add_overlay();
       if (pass.corner_force)

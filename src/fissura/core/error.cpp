@@ -16,7 +16,8 @@ std::string join(std::vector<Diagnostic> const& diagnostics) {
   for (auto const& d : diagnostics) {
     if (!text.empty()) text += '\n';
     std::string const place = to_string(d.place);
-    text += place.empty() ? fmt::format("error: {}", d.message) : fmt::format("{}: error: {}", place, d.message);
+    text +=
+        place.empty() ? fmt::format("error: {}", d.message) : fmt::format("{}: error: {}", place, d.message);
   }
   return text;
 }

@@ -35,7 +35,8 @@ struct Diagnostic {
 class InputError : public Error {
  public:
   explicit InputError(std::vector<Diagnostic> diagnostics_);
-  InputError(Place place, std::string message) : InputError({Diagnostic{std::move(place), std::move(message)}}) {}
+  InputError(Place place, std::string message)
+      : InputError({Diagnostic{std::move(place), std::move(message)}}) {}
   std::vector<Diagnostic> diagnostics;
 };
 

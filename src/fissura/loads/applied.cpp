@@ -42,6 +42,8 @@ double applied_work(Model const& m, State const& s) {
   return work;
 }
 
-model::Stage const& current_stage(Model const& m, State const& s) { return m.stages[s.stage]; }
+model::Stage const& current_stage(Model const& m, State const& s) {
+  return m.stages[s.stage];
+}
 
 } // namespace fissura::loads

@@ -40,20 +40,28 @@ double cycle_value(Curve const& c, double t) {
 double value_at(Curve const& c, double t) {
   if (t < 0) return 0;
   switch (c.kind) {
-  case Curve::Kind::constant: return c.value;
-  case Curve::Kind::ramp: return c.value * (c.over > 0 ? smooth_step(t / c.over) : 1);
-  case Curve::Kind::table: return table_value(c, t);
-  case Curve::Kind::cycles: return cycle_value(c, t);
+  case Curve::Kind::constant:
+    return c.value;
+  case Curve::Kind::ramp:
+    return c.value * (c.over > 0 ? smooth_step(t / c.over) : 1);
+  case Curve::Kind::table:
+    return table_value(c, t);
+  case Curve::Kind::cycles:
+    return cycle_value(c, t);
   }
   return 0;
 }
 
 double length_of(Curve const& c) {
   switch (c.kind) {
-  case Curve::Kind::constant: return 0;
-  case Curve::Kind::ramp: return c.over;
-  case Curve::Kind::table: return c.times.empty() ? 0 : c.times.back();
-  case Curve::Kind::cycles: return c.period * std::max(1, c.repeats) * static_cast<double>(c.peaks.size());
+  case Curve::Kind::constant:
+    return 0;
+  case Curve::Kind::ramp:
+    return c.over;
+  case Curve::Kind::table:
+    return c.times.empty() ? 0 : c.times.back();
+  case Curve::Kind::cycles:
+    return c.period * std::max(1, c.repeats) * static_cast<double>(c.peaks.size());
   }
   return 0;
 }

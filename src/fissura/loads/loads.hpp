@@ -22,10 +22,10 @@ model::Stage const& current_stage(model::Model const& m, state::State const& s);
 
 /// What prescribing velocities changed beside u and v: the tet pass had integrated these nodes as free ones.
 struct MotionEffects {
-  double work_done = 0;    ///< completes the work of the supports up to u_n [J]
-  double work_next = 0;    ///< first half of the work over u_n -> u_(n+1) [J]
-  double kinetic = 0;      ///< to add to the kinetic energy at n [J]
-  double gravity = 0;      ///< to add to the work of gravity over u_n -> u_(n+1) [J]
+  double work_done = 0;     ///< completes the work of the supports up to u_n [J]
+  double work_next = 0;     ///< first half of the work over u_n -> u_(n+1) [J]
+  double kinetic = 0;       ///< to add to the kinetic energy at n [J]
+  double gravity = 0;       ///< to add to the work of gravity over u_n -> u_(n+1) [J]
   double local_damping = 0; ///< to add to the local damping [J]
 };
 

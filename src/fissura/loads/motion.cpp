@@ -41,8 +41,8 @@ struct NodeSums {
   }
 };
 
-NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep const& step, double before, double now,
-                double gravity, std::size_t begin, std::size_t end) {
+NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep const& step, double before,
+                double now, double gravity, std::size_t begin, std::size_t end) {
   NodeSums sum;
   for (std::size_t i = begin; i < end; ++i) {
     int const node = p.nodes[i];

@@ -1,6 +1,6 @@
 #pragma once
-// The hot, immutable data of the step, in blocks of 8 tets or joints (one block size for every instruction set).
-// Tet t owns nodes 4t..4t+3; a node's x, y, z, 0 start at double 4*node of every nodal array.
+// The hot, immutable data of the step, in blocks of 8 tets or joints (one block size for every instruction
+// set). Tet t owns nodes 4t..4t+3; a node's x, y, z, 0 start at double 4*node of every nodal array.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -13,7 +13,9 @@
 namespace fissura::model {
 
 inline constexpr int block = 8;
-constexpr std::size_t blocks_for(std::size_t n) { return (n + block - 1) / block; }
+constexpr std::size_t blocks_for(std::size_t n) {
+  return (n + block - 1) / block;
+}
 
 /// Position of entry `component` of item i in an array laid out as [block][components][8].
 constexpr std::size_t at(std::size_t i, int component, int components) {
@@ -21,21 +23,25 @@ constexpr std::size_t at(std::size_t i, int component, int components) {
 }
 
 /// Number of the node that is corner `corner` of tet `tet`; its data start at 4*node.
-constexpr int node_of(int tet, int corner) { return 4 * tet + corner; }
+constexpr int node_of(int tet, int corner) {
+  return 4 * tet + corner;
+}
 
 struct TetBlocks {
-  int count = 0;                        ///< tets; padding lanes have volume 0 and inverse mass 0
-  core::Buffer<double> gradient;        ///< [block][9][8] reference gradients of N_1, N_2, N_3 [1/m]
-  core::Buffer<double> volume;          ///< [block][8] [m3]
-  core::Buffer<double> inverse_mass;    ///< [block][4][8] of the node (of its cluster where bonded) [1/kg]
-  core::Buffer<double> shear_modulus;   ///< [block][8] G [Pa]
-  core::Buffer<double> lame;            ///< [block][8] lambda [Pa]
-  core::Buffer<double> viscosity;       ///< [block][8] mu_bar [Pa s]
-  core::Buffer<double> weight_ratio;    ///< [block][8] real mass / scaled mass: what gravity acts on
-  core::Buffer<int> joint_force;        ///< [block][12][8] face by face, corner by corner: where its joint force starts
-  core::Buffer<double> joint_sign;      ///< [block][4][8] +1, -1, 0 per face
+  int count = 0;                      ///< tets; padding lanes have volume 0 and inverse mass 0
+  core::Buffer<double> gradient;      ///< [block][9][8] reference gradients of N_1, N_2, N_3 [1/m]
+  core::Buffer<double> volume;        ///< [block][8] [m3]
+  core::Buffer<double> inverse_mass;  ///< [block][4][8] of the node (of its cluster where bonded) [1/kg]
+  core::Buffer<double> shear_modulus; ///< [block][8] G [Pa]
+  core::Buffer<double> lame;          ///< [block][8] lambda [Pa]
+  core::Buffer<double> viscosity;     ///< [block][8] mu_bar [Pa s]
+  core::Buffer<double> weight_ratio;  ///< [block][8] real mass / scaled mass: what gravity acts on
+  core::Buffer<int>
+      joint_force; ///< [block][12][8] face by face, corner by corner: where its joint force starts
+  core::Buffer<double> joint_sign;       ///< [block][4][8] +1, -1, 0 per face
   std::vector<std::uint8_t> has_overlay; ///< per block
-  std::vector<std::uint8_t> is_paper;   ///< per block: some tet uses the law `paper` (all of a block use one law)
+  std::vector<std::uint8_t>
+      is_paper; ///< per block: some tet uses the law `paper` (all of a block use one law)
   bool any_viscosity = false;
 
   std::size_t blocks() const { return blocks_for(static_cast<std::size_t>(count)); }
@@ -50,9 +56,9 @@ struct Joint {
 
 struct JointBlocks {
   int count = 0;
-  core::Buffer<int> node;         ///< [block][6][8] starts of the nodes a0 a1 a2 b0 b1 b2 (4*node)
-  core::Buffer<double> edge;      ///< [block][6][8] reference edges 0->1, 0->2 of the triangle [m]
-  core::Buffer<double> elastic;   ///< [block][6][8] k, 1/(4 f_t), shear limit, tan phi, 1/(4 f_s), area/6
+  core::Buffer<int> node;       ///< [block][6][8] starts of the nodes a0 a1 a2 b0 b1 b2 (4*node)
+  core::Buffer<double> edge;    ///< [block][6][8] reference edges 0->1, 0->2 of the triangle [m]
+  core::Buffer<double> elastic; ///< [block][6][8] k, 1/(4 f_t), shear limit, tan phi, 1/(4 f_s), area/6
   std::vector<Joint> joints;
   std::vector<laws::CohesiveParams> law; ///< per joint
 

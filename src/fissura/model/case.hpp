@@ -1,6 +1,7 @@
 #pragma once
-// A case as the user described it, in SI units, with the place of each item in the deck: what `deck` fills in and
-// `sim` turns into a Model. Plain data with the defaults of the program; the schema in deck/ documents each field.
+// A case as the user described it, in SI units, with the place of each item in the deck: what `deck` fills in
+// and `sim` turns into a Model. Plain data with the defaults of the program; the schema in deck/ documents
+// each field.
 #include <array>
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@ namespace fissura::model {
 
 using core::Place;
 
-// ---- mesh ----------------------------------------------------------------------------------------------------
+// ---- mesh
+// ----------------------------------------------------------------------------------------------------
 struct BoxSpec {
   Place place;
   std::string name = "concrete"; ///< volume group of its tets
@@ -25,41 +27,46 @@ struct BoxSpec {
 struct MeshSpec {
   Place place;
   std::vector<BoxSpec> boxes;
-  std::string file;          ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
-  double length_unit = 1;    ///< metres per length unit of the file
-  double element_size = 0;   ///< target size for .geo [m]; 0 = as the file says
+  std::string file;        ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
+  double length_unit = 1;  ///< metres per length unit of the file
+  double element_size = 0; ///< target size for .geo [m]; 0 = as the file says
   bool allow_outside = false; ///< the file may lie outside the deck's folder
 };
 
-// ---- where ---------------------------------------------------------------------------------------------------
-/// Picks mesh points (supports, forces), faces (tractions, by their three points) or joints and tets (by centroid).
+// ---- where
+// ---------------------------------------------------------------------------------------------------
+/// Picks mesh points (supports, forces), faces (tractions, by their three points) or joints and tets (by
+/// centroid).
 struct Selector {
   enum class Kind { all, group, plane, box, point, line };
   Place place;
   Kind kind = Kind::all;
-  std::string group;    ///< kind group: volume, surface, curve or point group
-  int axis = 0;         ///< kind plane: 0, 1, 2 = x, y, z
-  double at = 0;        ///< kind plane: coordinate [m]
-  Vec3 from, to;        ///< kind box: opposite corners; kind line: its ends; kind point: from [m]
-  double tolerance = 0; ///< distance that still counts [m]; 0 = 1e-6 of the mesh's largest extent. point: nearest node if 0
+  std::string group; ///< kind group: volume, surface, curve or point group
+  int axis = 0;      ///< kind plane: 0, 1, 2 = x, y, z
+  double at = 0;     ///< kind plane: coordinate [m]
+  Vec3 from, to;     ///< kind box: opposite corners; kind line: its ends; kind point: from [m]
+  double tolerance =
+      0; ///< distance that still counts [m]; 0 = 1e-6 of the mesh's largest extent. point: nearest node if 0
 };
 
-// ---- functions of time -----------------------------------------------------------------------------------------
+// ---- functions of time
+// -----------------------------------------------------------------------------------------
 /// A function of the time since the start of its stage; 0 before, its last value afterwards.
 struct Curve {
   enum class Kind { constant, ramp, table, cycles };
   Kind kind = Kind::constant;
-  double value = 0;            ///< constant, and the plateau of a ramp
-  double over = 0;             ///< ramp: rise time [s], smooth (zero slope and curvature at both ends)
-  std::vector<double> times;   ///< table: times [s], increasing; linear between
-  std::vector<double> values;  ///< table: values
-  std::vector<double> peaks;   ///< cycles: amplitudes; each is visited +, -, `repeats` times
-  double period = 0;           ///< cycles: duration of one full cycle [s]
+  double value = 0;           ///< constant, and the plateau of a ramp
+  double over = 0;            ///< ramp: rise time [s], smooth (zero slope and curvature at both ends)
+  std::vector<double> times;  ///< table: times [s], increasing; linear between
+  std::vector<double> values; ///< table: values
+  std::vector<double> peaks;  ///< cycles: amplitudes; each is visited +, -, `repeats` times
+  double period = 0;          ///< cycles: duration of one full cycle [s]
   int repeats = 1;
-  bool one_sided = false;      ///< cycles: 0 -> +a -> 0 instead of 0 -> +a -> -a -> 0
+  bool one_sided = false; ///< cycles: 0 -> +a -> 0 instead of 0 -> +a -> -a -> 0
 };
 
-// ---- materials -------------------------------------------------------------------------------------------------
+// ---- materials
+// -------------------------------------------------------------------------------------------------
 enum class TetLaw { hyperelastic, paper };
 enum class JointLaw { energy_consistent, paper };
 enum class ShearStrength { mohr_coulomb, constant };
@@ -71,25 +78,25 @@ struct ConcreteSpec {
   std::string name;
   std::vector<std::string> groups; ///< volume groups; empty = all groups no other material names
   double E = 0, nu = 0.2, density = 2500;
-  double density_factor = 1;       ///< mass scaling
-  double f_t = 0;                  ///< tensile strength [Pa]
-  double f_c = 0;                  ///< compressive strength [Pa]
-  double G_f = 0;                  ///< mode I [J/m2]; 0 = 73 f_cm^0.18 (fib MC2010) with f_cm = f_c
-  double G_s = 0;                  ///< mode II; 0 = G_f
+  double density_factor = 1; ///< mass scaling
+  double f_t = 0;            ///< tensile strength [Pa]
+  double f_c = 0;            ///< compressive strength [Pa]
+  double G_f = 0;            ///< mode I [J/m2]; 0 = 73 f_cm^0.18 (fib MC2010) with f_cm = f_c
+  double G_s = 0;            ///< mode II; 0 = G_f
   TetLaw tet_law = TetLaw::hyperelastic;
-  double mu_bar = 0;               ///< viscous damping [Pa s]
-  bool joints = true;              ///< false: tets of this material are bonded to each other, no joints between them
-  bool crackable = true;           ///< false: its joints stay linear elastic
-  double penalty = 0;              ///< p [Pa]; the deck gives it as a multiple of E (default 20 E) or as a stress
+  double mu_bar = 0;     ///< viscous damping [Pa s]
+  bool joints = true;    ///< false: tets of this material are bonded to each other, no joints between them
+  bool crackable = true; ///< false: its joints stay linear elastic
+  double penalty = 0;    ///< p [Pa]; the deck gives it as a multiple of E (default 20 E) or as a stress
   ElementSize element_size = ElementSize::volume;
-  double h = 0;                    ///< [m] for ElementSize::given
+  double h = 0; ///< [m] for ElementSize::given
   JointLaw joint_law = JointLaw::energy_consistent;
   SofteningRange softening_range = SofteningRange::exact;
   ShearStrength shear = ShearStrength::mohr_coulomb;
   double friction_angle = 0.6283185307179586; ///< phi [rad]; 36 degrees
-  double cohesion = 0;             ///< c [Pa]; 0 = f_c (1 - sin phi)/(2 cos phi)
-  double f_s = 0;                  ///< [Pa] for ShearStrength::constant
-  double friction = 0.6;           ///< mu of the crack faces
+  double cohesion = 0;                        ///< c [Pa]; 0 = f_c (1 - sin phi)/(2 cos phi)
+  double f_s = 0;                             ///< [Pa] for ShearStrength::constant
+  double friction = 0.6;                      ///< mu of the crack faces
 };
 
 /// Changes joints whose centroid lies in a region: notches, grips, layers near loads.
@@ -98,7 +105,7 @@ struct JointRegionSpec {
   Selector where;
   double strength_factor = 1; ///< multiplies f_t, f_s (c), not G_f
   bool crackable = true;
-  bool only_axis = false;     ///< notch: only joints whose normal lies within 10 degrees of `axis`
+  bool only_axis = false; ///< notch: only joints whose normal lies within 10 degrees of `axis`
   int axis = 0;
 };
 
@@ -114,16 +121,16 @@ enum class CrackSpacing { automatic, element_size, given };
 struct BarSpec {
   Place place;
   std::string name, steel;
-  double diameter = 0;       ///< D [m]
-  double area = 0;           ///< A_s [m2]; 0 = pi D^2/4 (a lumped bar may give both)
-  std::vector<Vec3> points;  ///< polyline
-  std::string curve;         ///< instead of points: a line group of the mesh file
+  double diameter = 0;      ///< D [m]
+  double area = 0;          ///< A_s [m2]; 0 = pi D^2/4 (a lumped bar may give both)
+  std::vector<Vec3> points; ///< polyline
+  std::string curve;        ///< instead of points: a line group of the mesh file
   bool closed = false;
   int count = 1;
   Vec3 spacing;              ///< offset from one copy to the next
   double initial_strain = 0; ///< imposed elongation (prestress > 0 stretches the steel)
   CrackSpacing crack_spacing = CrackSpacing::automatic;
-  double l_cr = 0;           ///< [m] for CrackSpacing::given
+  double l_cr = 0; ///< [m] for CrackSpacing::given
 };
 enum class BarBetweenCracks { slip_only, elastic };
 struct BarSettings {
@@ -131,7 +138,8 @@ struct BarSettings {
   bool dowel = true;
 };
 
-// ---- loads and supports ----------------------------------------------------------------------------------------
+// ---- loads and supports
+// ----------------------------------------------------------------------------------------
 struct SupportSpec {
   Place place;
   std::string name;
@@ -140,7 +148,7 @@ struct SupportSpec {
 };
 struct MotionSpec { ///< prescribed displacement or velocity of one component
   Place place;
-  std::string name, stage;  ///< stage whose start is t = 0 of the curve; empty = start of the run
+  std::string name, stage; ///< stage whose start is t = 0 of the curve; empty = start of the run
   Selector where;
   int axis = 0;
   bool is_velocity = false; ///< the curve is a velocity [m/s] instead of a displacement [m]
@@ -169,7 +177,8 @@ struct GravitySpec {
   Curve curve; ///< [m/s2]
 };
 
-// ---- run -------------------------------------------------------------------------------------------------------
+// ---- run
+// -------------------------------------------------------------------------------------------------------
 struct StageSpec {
   Place place;
   std::string name;
@@ -179,15 +188,15 @@ struct StageSpec {
   double settle = 0;         ///< > 0: end the stage early once kinetic/internal energy stays below this
 };
 struct RunSpec {
-  double end_time = 0;       ///< [s]; 0 = the sum of the stages
-  double dt_factor = 0.9;    ///< of the stable step
-  double dt = 0;             ///< > 0: a fixed step [s]
-  double least_dt = 0;       ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
-  double mass_damping = 0;   ///< c of F = -c m v [1/s]
-  double local_damping = 0;  ///< alpha of F = -alpha |f| sign(v) [-]
-  int threads = 0;           ///< 0 = all
-  long max_steps = 0;        ///< 0 = no limit
-  int energy_every = 50;     ///< steps between two readings of the ledger
+  double end_time = 0;      ///< [s]; 0 = the sum of the stages
+  double dt_factor = 0.9;   ///< of the stable step
+  double dt = 0;            ///< > 0: a fixed step [s]
+  double least_dt = 0;      ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
+  double mass_damping = 0;  ///< c of F = -c m v [1/s]
+  double local_damping = 0; ///< alpha of F = -alpha |f| sign(v) [-]
+  int threads = 0;          ///< 0 = all
+  long max_steps = 0;       ///< 0 = no limit
+  int energy_every = 50;    ///< steps between two readings of the ledger
   double residual_warn = 0.01, residual_stop = 0.05;
 };
 struct GaugeSpec {
@@ -195,30 +204,30 @@ struct GaugeSpec {
   Place place;
   std::string name;
   Kind kind = Kind::displacement;
-  Selector where;                ///< displacement, velocity: mean over the picked points
+  Selector where; ///< displacement, velocity: mean over the picked points
   int axis = 0;
-  std::vector<std::string> of;   ///< reaction: supports or motions; force: forces and tractions (summed)
-  double factor = 1;             ///< multiplies the reading (sign, symmetry)
-  std::string zero_at;           ///< name of a stage: readings are relative to the one at its start
-  std::string bar;               ///< bar: name, and copy number for count > 1
+  std::vector<std::string> of; ///< reaction: supports or motions; force: forces and tractions (summed)
+  double factor = 1;           ///< multiplies the reading (sign, symmetry)
+  std::string zero_at;         ///< name of a stage: readings are relative to the one at its start
+  std::string bar;             ///< bar: name, and copy number for count > 1
   int copy = 0;
-  std::string quantity;          ///< bar: stress, joint_stress, joint_strain, slip, normalised_slip, dowel_force
-  Vec3 from, to;                 ///< bar: place nearest to from; crack_width, mean_strain: the line
+  std::string quantity; ///< bar: stress, joint_stress, joint_strain, slip, normalised_slip, dowel_force
+  Vec3 from, to;        ///< bar: place nearest to from; crack_width, mean_strain: the line
 };
 struct StopSpec {
   Place place;
   std::string gauge;
   double above = 0, below = 0;
   bool has_above = false, has_below = false;
-  double falls_to = 0;     ///< > 0: stop when |gauge| has fallen to this share of its largest |value| ...
-  double after = 0;        ///< ... once that largest |value| exceeds this
+  double falls_to = 0; ///< > 0: stop when |gauge| has fallen to this share of its largest |value| ...
+  double after = 0;    ///< ... once that largest |value| exceeds this
 };
 struct OutputSpec {
-  int history_points = 1000;  ///< rows of history.csv over the run (about)
-  double history_every = 0;   ///< [s]; > 0 wins
-  int frames = 20;            ///< VTU frames over the run (about)
-  double frames_every = 0;    ///< [s]; > 0 wins
-  double magnify = 1;         ///< no effect on the run; default warp factor of the pictures
+  int history_points = 1000; ///< rows of history.csv over the run (about)
+  double history_every = 0;  ///< [s]; > 0 wins
+  int frames = 20;           ///< VTU frames over the run (about)
+  double frames_every = 0;   ///< [s]; > 0 wins
+  double magnify = 1;        ///< no effect on the run; default warp factor of the pictures
 };
 
 struct Case {

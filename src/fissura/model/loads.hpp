@@ -8,15 +8,15 @@
 
 namespace fissura::model {
 
-/// A curve that starts with a stage (-1: with the run). When a stage starts is known only as the run goes: see
-/// State::stage_start.
+/// A curve that starts with a stage (-1: with the run). When a stage starts is known only as the run goes:
+/// see State::stage_start.
 struct TimedCurve {
   Curve curve;
   int stage = -1;
 };
 
-/// One component of a set of nodes that follows a prescribed motion (a support: none) from the start of its stage, and
-/// from where it is then; before, the nodes are free.
+/// One component of a set of nodes that follows a prescribed motion (a support: none) from the start of its
+/// stage, and from where it is then; before, the nodes are free.
 struct Prescribed {
   std::string name;
   int axis = 0;

@@ -4,18 +4,19 @@
 
 namespace fissura::model {
 
-/// Which concrete each tet is made of; throws core::InputError for a volume group without a concrete, a concrete whose
-/// group does not exist, or a group claimed twice.
+/// Which concrete each tet is made of; throws core::InputError for a volume group without a concrete, a
+/// concrete whose group does not exist, or a group claimed twice.
 std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh);
 
-/// Fills in Model::tets, joints, joint_of_shared_face, bonding, position and mass from source, mesh, adjacency and
-/// material_of_tet. Steel mass (Model::steel_mass) is added by add_steel_mass.
+/// Fills in Model::tets, joints, joint_of_shared_face, bonding, position and mass from source, mesh,
+/// adjacency and material_of_tet. Steel mass (Model::steel_mass) is added by add_steel_mass.
 void make_blocks(Model& m);
 
 /// Adds the bars' mass to the nodes [kg per node] and renews the inverse masses.
 void add_steel_mass(Model& m, std::span<double const> steel_mass);
 
-/// Selective mass scaling: multiplies the mass of each tet (its steel included); gravity still acts on the real mass.
+/// Selective mass scaling: multiplies the mass of each tet (its steel included); gravity still acts on the
+/// real mass.
 void scale_masses(Model& m, std::span<double const> factor);
 
 /// 73 f_cm^0.18 N/m with f_cm in MPa (fib Model Code 2010).

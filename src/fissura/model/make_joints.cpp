@@ -41,12 +41,15 @@ laws::CohesiveInput law_of(ConcreteSpec const& c, double h) {
   in.friction_angle = c.friction_angle;
   in.friction = c.friction;
   in.law = c.joint_law == JointLaw::paper ? laws::CohesiveLaw::paper : laws::CohesiveLaw::energy_consistent;
-  in.range = c.softening_range == SofteningRange::exact ? laws::CohesiveRange::exact : laws::CohesiveRange::y3d;
+  in.range =
+      c.softening_range == SofteningRange::exact ? laws::CohesiveRange::exact : laws::CohesiveRange::y3d;
   in.crackable = c.crackable;
   return in;
 }
 
-bool along_axis(Vec3 normal, int axis) { return std::abs(normal[axis]) > std::cos(10 * std::numbers::pi / 180); }
+bool along_axis(Vec3 normal, int axis) {
+  return std::abs(normal[axis]) > std::cos(10 * std::numbers::pi / 180);
+}
 
 /// The tet kernel's gather: where the force of each face's joint is for each corner, and with which sign.
 void make_gather_tables(Model& m) {
@@ -108,12 +111,14 @@ void make_joint_data(Model& m) {
 double joint_size(Model const& m, int shared_face, ConcreteSpec const& c) {
   auto const& f = m.adjacency.shared[shared_face];
   switch (c.element_size) {
-  case ElementSize::given: return c.h;
+  case ElementSize::given:
+    return c.h;
   case ElementSize::joint_edge: {
     auto const g = geometry_of(m, f);
     return (norm(g.x[1] - g.x[0]) + norm(g.x[2] - g.x[1]) + norm(g.x[0] - g.x[2])) / 3;
   }
-  case ElementSize::volume: break;
+  case ElementSize::volume:
+    break;
   }
   double const mean = 0.5 * (m.tets.volume[f.a.tet] + m.tets.volume[f.b.tet]);
   return std::cbrt(6 * std::numbers::sqrt2 * mean);
@@ -187,9 +192,11 @@ WeakestPlane weakest_plane(Model const& m, int axis) {
   for (int i = 0; i < m.joints.count; ++i) {
     auto const& law = m.joints.law[i];
     if (!law.crackable) continue;
-    double const cosine = std::abs(geometry_of(m, m.adjacency.shared[m.joints.joints[i].shared_face]).normal[axis]);
+    double const cosine =
+        std::abs(geometry_of(m, m.adjacency.shared[m.joints.joints[i].shared_face]).normal[axis]);
     double const sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    double const drive = cosine * (sine - cosine * law.tan_phi); // tau - |sigma_n| tan(phi), per unit of stress
+    double const drive =
+        cosine * (sine - cosine * law.tan_phi); // tau - |sigma_n| tan(phi), per unit of stress
     if (drive <= 1e-9) continue;
     double const stress = law.f_s / drive;
     if (worst.stress == 0 || stress < worst.stress) worst = {stress, std::asin(cosine), axis};

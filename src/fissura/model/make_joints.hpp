@@ -3,8 +3,8 @@
 
 namespace fissura::model {
 
-/// Joints between all tets that share a face, except where both concretes have joints = false. Fills in Model::joints,
-/// joint_of_shared_face and the tets' gather tables.
+/// Joints between all tets that share a face, except where both concretes have joints = false. Fills in
+/// Model::joints, joint_of_shared_face and the tets' gather tables.
 void make_joints(Model& m);
 
 /// The case's joint regions, resolved to shared faces.
@@ -19,11 +19,12 @@ class JointRegions {
   std::vector<std::vector<char>> member_; ///< per region: 1 for its shared faces
 };
 
-/// Law of the joint on a shared face: of the weaker neighbour where they differ, then changed by the joint regions.
+/// Law of the joint on a shared face: of the weaker neighbour where they differ, then changed by the joint
+/// regions.
 laws::CohesiveParams joint_law(Model const& m, JointRegions const& regions, int shared_face);
 
-/// h of o_p = 2 h f_t/p by the option of the concrete: edge of the regular tet with the neighbours' mean volume, mean
-/// edge of the triangle, or given [m].
+/// h of o_p = 2 h f_t/p by the option of the concrete: edge of the regular tet with the neighbours' mean
+/// volume, mean edge of the triangle, or given [m].
 double joint_size(Model const& m, int shared_face, ConcreteSpec const& concrete);
 
 /// Traction along -normal of the mesh's most dangerous plane under uniaxial compression along any axis:

@@ -7,7 +7,9 @@
 
 namespace fissura::model {
 
-double default_fracture_energy(double f_c) { return 73 * std::pow(f_c * 1e-6, 0.18); }
+double default_fracture_energy(double f_c) {
+  return 73 * std::pow(f_c * 1e-6, 0.18);
+}
 
 double default_cohesion(double f_c, double friction_angle) {
   return f_c * (1 - std::sin(friction_angle)) / (2 * std::cos(friction_angle));
@@ -21,8 +23,9 @@ std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh) {
     auto const& concrete = c.concretes[i];
     if (concrete.groups.empty()) {
       if (catch_all >= 0)
-        wrong.push_back({concrete.place, fmt::format("[[concrete]] `{}` names no groups, but `{}` already takes all the rest",
-                                                     concrete.name, c.concretes[catch_all].name)});
+        wrong.push_back({concrete.place,
+                         fmt::format("[[concrete]] `{}` names no groups, but `{}` already takes all the rest",
+                                     concrete.name, c.concretes[catch_all].name)});
       catch_all = static_cast<int>(i);
     }
     for (auto const& name : concrete.groups) {
@@ -34,16 +37,17 @@ std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh) {
       }
       int& owner = concrete_of_group[static_cast<std::size_t>(found - mesh.volume_groups.begin())];
       if (owner >= 0)
-        wrong.push_back({concrete.place, fmt::format("volume group `{}` already belongs to [[concrete]] `{}`", name,
-                                                     c.concretes[owner].name)});
+        wrong.push_back({concrete.place, fmt::format("volume group `{}` already belongs to [[concrete]] `{}`",
+                                                     name, c.concretes[owner].name)});
       owner = static_cast<int>(i);
     }
   }
   for (std::size_t g = 0; g < concrete_of_group.size(); ++g) {
     if (concrete_of_group[g] < 0) concrete_of_group[g] = catch_all;
     if (concrete_of_group[g] < 0)
-      wrong.push_back({c.mesh.place, fmt::format("volume group `{}` has no [[concrete]]: name it in `groups` of one",
-                                                 mesh.volume_groups[g])});
+      wrong.push_back(
+          {c.mesh.place, fmt::format("volume group `{}` has no [[concrete]]: name it in `groups` of one",
+                                     mesh.volume_groups[g])});
   }
   if (!wrong.empty()) throw core::InputError(std::move(wrong));
   std::vector<int> material(mesh.tets.size());

@@ -1,13 +1,14 @@
 #pragma once
-// The immutable problem: mesh, laws, bars, loads and run settings. Everything that changes in time is in state/.
+// The immutable problem: mesh, laws, bars, loads and run settings. Everything that changes in time is in
+// state/.
 #include <string>
 #include <vector>
 
+#include "fissura/mesh/mesh.hpp"
 #include "fissura/model/bars.hpp"
 #include "fissura/model/blocks.hpp"
 #include "fissura/model/case.hpp"
 #include "fissura/model/loads.hpp"
-#include "fissura/mesh/mesh.hpp"
 
 namespace fissura::model {
 
@@ -15,10 +16,10 @@ struct Model {
   Case source;
   mesh::Mesh mesh;
   mesh::Adjacency adjacency;
-  std::vector<int> material_of_tet;     ///< index into source.concretes
-  core::Buffer<double> position;        ///< reference positions of the nodes, x y z 0 [m]
-  core::Buffer<double> mass;            ///< per node: its own share [kg], with density factor
-  core::Buffer<double> steel_mass;      ///< per node: the bars' part of it [kg]
+  std::vector<int> material_of_tet; ///< index into source.concretes
+  core::Buffer<double> position;    ///< reference positions of the nodes, x y z 0 [m]
+  core::Buffer<double> mass;        ///< per node: its own share [kg], with density factor
+  core::Buffer<double> steel_mass;  ///< per node: the bars' part of it [kg]
   TetBlocks tets;
   JointBlocks joints;
   std::vector<int> joint_of_shared_face; ///< -1 where bonded
@@ -31,10 +32,10 @@ struct Model {
   std::vector<Stage> stages;
   std::vector<int> overlay_tets; ///< tets that bars or applied forces act on, ascending
 
-  double dt = 0;                 ///< [s]
+  double dt = 0; ///< [s]
   std::string dt_limiter;
-  double added_mass = 0;         ///< by density factors [kg]
-  double total_mass = 0;         ///< without them [kg]
+  double added_mass = 0; ///< by density factors [kg]
+  double total_mass = 0; ///< without them [kg]
 
   int tet_count() const { return tets.count; }
   int joint_count() const { return joints.count; }

@@ -42,7 +42,8 @@ void shake(model::Model const& m, state::State& s) {
 
 std::string bench(BenchOptions const& options) {
   parallel::Threads const threads(options.threads);
-  int const cells = std::max(1, static_cast<int>(std::lround(std::cbrt(static_cast<double>(options.tets) / 6))));
+  int const cells =
+      std::max(1, static_cast<int>(std::lround(std::cbrt(static_cast<double>(options.tets) / 6))));
   BuildReport report;
   auto const m = build_model(cube(cells), report);
   auto s = step::make_state(m);
@@ -56,13 +57,17 @@ std::string bench(BenchOptions const& options) {
     if (reading) monitor.take(energy, m, s);
   };
   for (int i = 0; i < 5; ++i) one();
-  long const steps = options.steps > 0 ? options.steps : std::max(50L, static_cast<long>(2e7 * threads.count() / m.tet_count()));
+  long const steps = options.steps > 0
+                         ? options.steps
+                         : std::max(50L, static_cast<long>(2e7 * threads.count() / m.tet_count()));
   auto const start = std::chrono::steady_clock::now();
   for (long i = 0; i < steps; ++i) one();
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   double const each = seconds / (static_cast<double>(steps) * m.tet_count());
-  return fmt::format("uncracked cube: {} tets, {} joints, {} threads, kernels {}, {} steps: {:.2f} ns per tet-step ({:.2f} million per second)\n",
-                     m.tet_count(), m.joint_count(), threads.count(), concrete::kernels().name, steps, each * 1e9, 1e-6 / each);
+  return fmt::format("uncracked cube: {} tets, {} joints, {} threads, kernels {}, {} steps: {:.2f} ns per "
+                     "tet-step ({:.2f} million per second)\n",
+                     m.tet_count(), m.joint_count(), threads.count(), concrete::kernels().name, steps,
+                     each * 1e9, 1e-6 / each);
 }
 
 } // namespace fissura::sim

@@ -54,9 +54,10 @@ class Owners {
   void claim(int node, int axis, std::string const& name, core::Place const& place) {
     auto const [where, is_new] = owner_.try_emplace({node, axis}, name);
     if (!is_new)
-      throw core::InputError(place, fmt::format("`{}` and `{}` both prescribe the {} motion of the same node; let them "
-                                                "select different points or components",
-                                                name, where->second, "xyz"[axis]));
+      throw core::InputError(
+          place, fmt::format("`{}` and `{}` both prescribe the {} motion of the same node; let them "
+                             "select different points or components",
+                             name, where->second, "xyz"[axis]));
   }
 
  private:
@@ -84,7 +85,8 @@ void build_prescribed(Model& m, Copies const& copies) {
   for (auto const& s : m.source.motions) {
     auto const nodes = nodes_at(m, copies, s.where);
     for (int const n : nodes) owners.claim(n, s.axis, s.name, s.place);
-    m.prescribed.push_back({s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
+    m.prescribed.push_back(
+        {s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
   }
 }
 
@@ -98,7 +100,8 @@ struct PendingForce {
   std::vector<PendingEntry> entries;
 };
 
-/// The total, shared equally among the points, and among the copies of a point by their mass: they move as one.
+/// The total, shared equally among the points, and among the copies of a point by their mass: they move as
+/// one.
 PendingForce point_force(Model const& m, Copies const& copies, model::ForceSpec const& f) {
   PendingForce p;
   p.force.name = f.name;
@@ -108,7 +111,8 @@ PendingForce point_force(Model const& m, Copies const& copies, model::ForceSpec 
     double mass = 0;
     for (int const node : copies.of(point)) mass += m.mass[node];
     for (int const node : copies.of(point))
-      p.entries.push_back({node, (m.mass[node] / mass / static_cast<double>(points.size())) * unit(f.direction)});
+      p.entries.push_back(
+          {node, (m.mass[node] / mass / static_cast<double>(points.size())) * unit(f.direction)});
   }
   return p;
 }

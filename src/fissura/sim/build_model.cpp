@@ -23,7 +23,8 @@ namespace {
 mesh::Mesh make_mesh(model::MeshSpec const& spec) {
   if (!spec.file.empty()) return mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
   std::vector<mesh::BoxCells> boxes;
-  for (auto const& b : spec.boxes) boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place});
+  for (auto const& b : spec.boxes)
+    boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place});
   return mesh::make_boxes(boxes);
 }
 
@@ -31,23 +32,25 @@ void note_assumptions(Model const& m, BuildReport& report) {
   for (auto const& c : m.source.concretes) {
     if (!c.joints || !c.crackable) continue;
     if (c.G_f == 0)
-      report.notes.push_back(fmt::format("{}: G_f = 73 f_cm^0.18 = {:.4g} N/m (fib MC2010, f_cm = f_c)", c.name,
-                                         model::default_fracture_energy(c.f_c)));
+      report.notes.push_back(fmt::format("{}: G_f = 73 f_cm^0.18 = {:.4g} N/m (fib MC2010, f_cm = f_c)",
+                                         c.name, model::default_fracture_energy(c.f_c)));
     if (c.shear == model::ShearStrength::mohr_coulomb) {
       double const cohesion = c.cohesion > 0 ? c.cohesion : model::default_cohesion(c.f_c, c.friction_angle);
-      report.notes.push_back(fmt::format("{}: Mohr-Coulomb joints, c = {:.4g} MPa, phi = {:.3g} degrees", c.name,
-                                         cohesion * 1e-6, c.friction_angle * 180 / std::numbers::pi));
+      report.notes.push_back(fmt::format("{}: Mohr-Coulomb joints, c = {:.4g} MPa, phi = {:.3g} degrees",
+                                         c.name, cohesion * 1e-6, c.friction_angle * 180 / std::numbers::pi));
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
     auto const worst = model::weakest_plane(m, axis);
     if (worst.stress > 0)
-      report.notes.push_back(fmt::format("compression along {}: the mesh's worst plane ({:.0f} degrees to the load) slides at {:.4g} MPa",
-                                         "xyz"[axis], worst.angle * 180 / std::numbers::pi, worst.stress * 1e-6));
+      report.notes.push_back(fmt::format(
+          "compression along {}: the mesh's worst plane ({:.0f} degrees to the load) slides at {:.4g} MPa",
+          "xyz"[axis], worst.angle * 180 / std::numbers::pi, worst.stress * 1e-6));
   }
 }
 
-/// Local damping adds at most its share alpha to the force that pulls a node back, so omega^2 grows by up to 1 + alpha.
+/// Local damping adds at most its share alpha to the force that pulls a node back, so omega^2 grows by up to
+/// 1 + alpha.
 double damping_share(Model const& m) {
   double alpha = 0;
   for (auto const& s : m.stages) alpha = std::max(alpha, s.local_damping);
@@ -61,8 +64,9 @@ void choose_step(Model& m) {
   auto const stable = step::stable_step(m);
   double const limit = stable.dt / share;
   m.dt = run.dt > 0 ? run.dt : run.dt_factor * limit;
-  m.dt_limiter = run.dt > 0 ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
-                            : stable.limiter;
+  m.dt_limiter = run.dt > 0
+                     ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
+                     : stable.limiter;
 }
 
 } // namespace

@@ -21,7 +21,8 @@ struct BuildReport {
 /// Throws core::InputError naming the place in the deck or in the mesh.
 model::Model build_model(model::Case const& c, BuildReport& report);
 
-/// Supports, motions, forces, tractions, gravity and stages of the case, resolved to nodes; fills in overlay_tets.
+/// Supports, motions, forces, tractions, gravity and stages of the case, resolved to nodes; fills in
+/// overlay_tets.
 void build_loads(model::Model& m);
 
 } // namespace fissura::sim

@@ -53,17 +53,21 @@ std::string check_case(model::Case const& c) {
   double const frames = c.output.frames_every > 0 ? end / c.output.frames_every : c.output.frames;
   double const disk = frames * m.tet_count() * 110.0;
   std::string text;
-  auto line = [&](std::string const& name, std::string const& value) { text += fmt::format("{:<16}{}\n", name, value); };
+  auto line = [&](std::string const& name, std::string const& value) {
+    text += fmt::format("{:<16}{}\n", name, value);
+  };
   line("case", c.title.empty() ? c.deck_file : c.title);
   line("tets", fmt::format("{}", m.tet_count()));
   line("joints", fmt::format("{}", m.joint_count()));
-  line("bar elements", fmt::format("{} with {} joints, {:.4g} kg of steel", m.bars.elements.size(), m.bars.joints.size(),
-                                   report.embedding.steel_mass()));
-  line("mass", fmt::format("{:.6g} kg{}", m.total_mass, m.added_mass > 0 ? fmt::format(" + {:.4g} kg by mass scaling", m.added_mass) : ""));
+  line("bar elements", fmt::format("{} with {} joints, {:.4g} kg of steel", m.bars.elements.size(),
+                                   m.bars.joints.size(), report.embedding.steel_mass()));
+  line("mass",
+       fmt::format("{:.6g} kg{}", m.total_mass,
+                   m.added_mass > 0 ? fmt::format(" + {:.4g} kg by mass scaling", m.added_mass) : ""));
   line("time step", fmt::format("{:.4g} s, limited by {}", m.dt, m.dt_limiter));
   line("steps", fmt::format("{:.0f} to t = {:.4g} s", steps, end));
-  line("wall time", fmt::format("about {} on {} threads (intact; cracking costs more)", readable_duration(1.3 * steps * measured_step(m)),
-                                threads.count()));
+  line("wall time", fmt::format("about {} on {} threads (intact; cracking costs more)",
+                                readable_duration(1.3 * steps * measured_step(m)), threads.count()));
   line("memory", fmt::format("about {:.0f} MB", memory / 1e6 + 40));
   line("disk", fmt::format("about {:.0f} MB in {:.0f} frames", disk / 1e6, frames));
   for (auto const& note : report.notes) line("note", note);

@@ -5,8 +5,8 @@
 
 namespace fissura::sim {
 
-/// Builds the model and forecasts what running it takes: tets, joints, time step, steps, hours, memory, disk; with all
-/// notes and warnings. Throws core::InputError with everything that is wrong.
+/// Builds the model and forecasts what running it takes: tets, joints, time step, steps, hours, memory, disk;
+/// with all notes and warnings. Throws core::InputError with everything that is wrong.
 std::string check_case(model::Case const& c);
 
 } // namespace fissura::sim

@@ -17,7 +17,9 @@ using state::State;
 
 namespace {
 
-Vec3 at_node(core::Buffer<double> const& field, int node) { return {field[4 * node], field[4 * node + 1], field[4 * node + 2]}; }
+Vec3 at_node(core::Buffer<double> const& field, int node) {
+  return {field[4 * node], field[4 * node + 1], field[4 * node + 2]};
+}
 
 void append(std::vector<float>& to, Vec3 v) {
   for (int r = 0; r < 3; ++r) to.push_back(static_cast<float>(v[r]));
@@ -85,10 +87,10 @@ Grid crack_grid(Model const& m, State const& s) {
     broken.push_back(status >= state::JointStatus::broken);
   }
   g.point_data = {{"displacement", 3, displacement, "m"}};
-  g.cell_data = {{"opening", 1, opening, "m"},         {"sliding", 1, sliding, "m"},
-                 {"damage", 1, damage, "-"},           {"mode", 1, mode, "-"},
-                 {"time_of_failure", 1, failed, "s"},  {"broken", 1, broken, "-"},
-                 {"fracture_I", 1, lost_I, "J"},       {"fracture_II", 1, lost_II, "J"}};
+  g.cell_data = {{"opening", 1, opening, "m"},        {"sliding", 1, sliding, "m"},
+                 {"damage", 1, damage, "-"},          {"mode", 1, mode, "-"},
+                 {"time_of_failure", 1, failed, "s"}, {"broken", 1, broken, "-"},
+                 {"fracture_I", 1, lost_I, "J"},      {"fracture_II", 1, lost_II, "J"}};
   return g;
 }
 
@@ -127,20 +129,25 @@ Grid bar_grid(Model const& m, State const& s) {
     auto const& j = m.bars.joints[i];
     place(j.tet_a, j.w_a);
     add_cell(g, output::cell_type::vertex, 1);
-    row(b.joint_stress[i], b.joint_strain[i], b.slip[i], b.normalised_slip[i], j.bar, j.copy, b.has_yielded(i), b.is_broken(i));
+    row(b.joint_stress[i], b.joint_strain[i], b.slip[i], b.normalised_slip[i], j.bar, j.copy,
+        b.has_yielded(i), b.is_broken(i));
   }
   g.point_data = {{"displacement", 3, displacement, "m"}};
-  g.cell_data = {{"stress", 1, stress, "Pa"}, {"strain", 1, strain, "-"},   {"slip", 1, slip, "m"},
-                 {"normalised_slip", 1, normalised, "-"}, {"bar", 1, bar, ""}, {"copy", 1, copy, ""},
+  g.cell_data = {{"stress", 1, stress, "Pa"}, {"strain", 1, strain, "-"},
+                 {"slip", 1, slip, "m"},      {"normalised_slip", 1, normalised, "-"},
+                 {"bar", 1, bar, ""},         {"copy", 1, copy, ""},
                  {"yielded", 1, yielded, ""}, {"broken", 1, broken, ""}};
   return g;
 }
 
 FieldWriter::FieldWriter(std::string const& folder)
-    : folder_(folder), fields_(folder + "/fields.pvd"), cracks_(folder + "/cracks.pvd"), bars_(folder + "/bars.pvd") {
+    : folder_(folder), fields_(folder + "/fields.pvd"), cracks_(folder + "/cracks.pvd"),
+      bars_(folder + "/bars.pvd") {
   std::error_code ec;
   std::filesystem::create_directories(folder + "/frames", ec);
-  if (ec) throw core::Error(core::Failure::io, fmt::format("{}/frames: cannot create the folder: {}", folder, ec.message()));
+  if (ec)
+    throw core::Error(core::Failure::io,
+                      fmt::format("{}/frames: cannot create the folder: {}", folder, ec.message()));
 }
 
 void FieldWriter::add(output::PvdWriter& list, char const* name, double time, Grid const& grid) {

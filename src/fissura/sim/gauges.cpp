@@ -87,8 +87,8 @@ std::vector<Gauge::Crossing> crossings_of(Model const& m, Gauge const& g, Vec3 s
   return found;
 }
 
-/// The line is moved by a hair so that it does not run through mesh points; to the side where there is concrete, since
-/// gauges often lie on the surface.
+/// The line is moved by a hair so that it does not run through mesh points; to the side where there is
+/// concrete, since gauges often lie on the surface.
 void resolve_crossings(Model const& m, Gauge& g) {
   auto const [a, b] = across(g.along);
   double const hair = 1e-4 * g.length;
@@ -96,7 +96,8 @@ void resolve_crossings(Model const& m, Gauge& g) {
     g.crossings = crossings_of(m, g, p * hair * a + q * 0.618 * hair * b);
     if (!g.crossings.empty()) return;
   }
-  throw core::InputError(g.spec.place, fmt::format("the line of gauge `{}` crosses no joint of the mesh", g.spec.name));
+  throw core::InputError(g.spec.place,
+                         fmt::format("the line of gauge `{}` crosses no joint of the mesh", g.spec.name));
 }
 
 void resolve_bar(Model const& m, Gauge& g) {
@@ -122,8 +123,9 @@ void resolve_bar(Model const& m, Gauge& g) {
   }
   bool const wants_element = g.spec.quantity == "stress";
   if (wants_element ? g.bar_element < 0 : g.bar_joint < 0)
-    throw core::InputError(g.spec.place, fmt::format("gauge `{}`: copy {} of bar `{}` has no bar {} in the mesh",
-                                                     g.spec.name, g.spec.copy, g.spec.bar, wants_element ? "element" : "joint"));
+    throw core::InputError(
+        g.spec.place, fmt::format("gauge `{}`: copy {} of bar `{}` has no bar {} in the mesh", g.spec.name,
+                                  g.spec.copy, g.spec.bar, wants_element ? "element" : "joint"));
 }
 
 void resolve_names(Model const& m, Gauge& g) {
@@ -137,18 +139,22 @@ void resolve_names(Model const& m, Gauge& g) {
     for (std::size_t i = 0; i < m.forces.size(); ++i)
       if (m.forces[i].name == name) found = true, g.forces.push_back(static_cast<int>(i));
     if (!found)
-      throw core::InputError(g.spec.place, fmt::format("gauge `{}`: there is no support, motion or force `{}`", g.spec.name, name));
+      throw core::InputError(
+          g.spec.place,
+          fmt::format("gauge `{}`: there is no support, motion or force `{}`", g.spec.name, name));
   }
   if (g.spec.kind == GaugeSpec::Kind::reaction && g.prescribed.empty())
-    throw core::InputError(g.spec.place, fmt::format("gauge `{}`: none of the named supports holds the {} direction",
-                                                     g.spec.name, "xyz"[g.spec.axis]));
+    throw core::InputError(g.spec.place,
+                           fmt::format("gauge `{}`: none of the named supports holds the {} direction",
+                                       g.spec.name, "xyz"[g.spec.axis]));
 }
 
 void resolve_line(Gauge& g) {
   g.length = norm(g.spec.to - g.spec.from);
   g.along = unit(g.spec.to - g.spec.from);
   if (!(g.length > 0))
-    throw core::InputError(g.spec.place, fmt::format("gauge `{}`: the two ends of `line` are the same point", g.spec.name));
+    throw core::InputError(g.spec.place,
+                           fmt::format("gauge `{}`: the two ends of `line` are the same point", g.spec.name));
 }
 
 Gauge resolve(Model const& m, GaugeSpec const& spec) {
@@ -186,7 +192,8 @@ Gauge resolve(Model const& m, GaugeSpec const& spec) {
     g.length = norm(mean_position(m, g.to) - mean_position(m, g.from));
     g.unit = "-";
     if (!(g.length > 0))
-      throw core::InputError(spec.place, fmt::format("gauge `{}`: both ends are nearest to the same node", spec.name));
+      throw core::InputError(spec.place,
+                             fmt::format("gauge `{}`: both ends are nearest to the same node", spec.name));
     break;
   }
   for (std::size_t i = 0; i < m.stages.size(); ++i)
@@ -201,7 +208,8 @@ double crack_width(Model const& m, State const& s, Gauge const& g) {
     auto const& joint = m.joints.joints[c.joint];
     Vec3 jump;
     for (int k = 0; k < 3; ++k)
-      jump += c.weight[k] * (mean_displacement(s, {joint.node_b[k]}) - mean_displacement(s, {joint.node_a[k]}));
+      jump +=
+          c.weight[k] * (mean_displacement(s, {joint.node_b[k]}) - mean_displacement(s, {joint.node_a[k]}));
     auto const normal = concrete::joint_kinematics(m, s, c.joint).normal;
     width += dot(jump, g.along) * (dot(normal, g.along) >= 0 ? 1 : -1);
   }
@@ -277,10 +285,18 @@ void Gauges::read_state(Model const& m, State const& s) {
     auto const& g = gauges_[i];
     if (g.reads_forces) continue;
     switch (g.spec.kind) {
-    case GaugeSpec::Kind::displacement: store(i, mean_component(s.u, g.nodes, g.spec.axis), s.stage); break;
-    case GaugeSpec::Kind::velocity: store(i, mean_component(s.v, g.nodes, g.spec.axis), s.stage); break;
-    case GaugeSpec::Kind::crack_width: store(i, crack_width(m, s, g), s.stage); break;
-    default: store(i, mean_strain(m, s, g), s.stage); break;
+    case GaugeSpec::Kind::displacement:
+      store(i, mean_component(s.u, g.nodes, g.spec.axis), s.stage);
+      break;
+    case GaugeSpec::Kind::velocity:
+      store(i, mean_component(s.v, g.nodes, g.spec.axis), s.stage);
+      break;
+    case GaugeSpec::Kind::crack_width:
+      store(i, crack_width(m, s, g), s.stage);
+      break;
+    default:
+      store(i, mean_strain(m, s, g), s.stage);
+      break;
     }
   }
 }

@@ -13,9 +13,9 @@ namespace fissura::sim {
 struct Gauge {
   model::GaugeSpec spec;
   std::string unit;
-  std::vector<int> nodes;        ///< displacement, velocity
-  std::vector<int> prescribed;   ///< reaction: indices into Model::prescribed
-  std::vector<int> forces;       ///< force: indices into Model::forces
+  std::vector<int> nodes;      ///< displacement, velocity
+  std::vector<int> prescribed; ///< reaction: indices into Model::prescribed
+  std::vector<int> forces;     ///< force: indices into Model::forces
   int bar_element = -1, bar_joint = -1;
   struct Crossing {
     int joint;
@@ -26,7 +26,7 @@ struct Gauge {
   Vec3 along;                      ///< unit vector of the gauge's line
   double length = 0;               ///< [m]
   int zero_stage = -1;
-  bool reads_forces = false;       ///< needs the reactions at u_n: read after the step
+  bool reads_forces = false; ///< needs the reactions at u_n: read after the step
 };
 
 class Gauges {
@@ -43,7 +43,8 @@ class Gauges {
   void read_state(model::Model const& m, state::State const& s);
   /// Reactions and forces at u_n: after the step has found them. `time` is that of u_n.
   void read_forces(model::Model const& m, state::State const& s, double time);
-  /// The last readings, factor and zero applied: the first reading of a stage is the zero of gauges that name it.
+  /// The last readings, factor and zero applied: the first reading of a stage is the zero of gauges that name
+  /// it.
   std::vector<double> const& values() const { return values_; }
 
  private:

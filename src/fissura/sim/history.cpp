@@ -6,10 +6,13 @@ namespace fissura::sim {
 
 History::History(std::string const& path, model::Model const& m, Gauges const& gauges) {
   auto columns = gauges.columns();
-  for (auto const& p : m.prescribed) columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
-  for (auto const& [name, value] : step::EnergyBalance{}.accounts()) columns.push_back({fmt::format("energy_{}", name), "J"});
+  for (auto const& p : m.prescribed)
+    columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
+  for (auto const& [name, value] : step::EnergyBalance{}.accounts())
+    columns.push_back({fmt::format("energy_{}", name), "J"});
   columns.push_back({"energy_residual", "-"});
-  for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated", "bar_joints_yielded", "bars_broken"})
+  for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
+                            "bar_joints_yielded", "bars_broken"})
     columns.push_back({count, "-"});
   csv_ = std::make_unique<output::CsvWriter>(path, columns);
   values_.reserve(columns.size());
@@ -23,7 +26,8 @@ void History::row(double time, model::Model const& m, state::State const& s, Gau
   values_.push_back(monitor.residual_of(e));
   auto const joints = concrete::count_joints(m, s);
   auto const bars = count_bars(s.bars);
-  for (int const n : {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded, bars.broken})
+  for (int const n :
+       {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded, bars.broken})
     values_.push_back(n);
   csv_->row(time, values_);
 }

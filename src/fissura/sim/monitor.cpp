@@ -23,7 +23,8 @@ BarCounts count_bars(state::BarState const& bars) {
 }
 
 Monitor::Monitor(Model const& m) {
-  // Guards act once the energy put in is no longer tiny: a thousandth of what cracks the whole volume elastically.
+  // Guards act once the energy put in is no longer tiny: a thousandth of what cracks the whole volume
+  // elastically.
   for (std::size_t t = 0; t < static_cast<std::size_t>(m.tets.count); ++t) {
     auto const& c = m.source.concretes[m.material_of_tet[t]];
     double const strain = std::max(c.f_t / c.E, 1e-5);
@@ -34,9 +35,10 @@ Monitor::Monitor(Model const& m) {
 std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model const& m, State const& s) {
   if (!core::is_finite(e.held()) || !core::is_finite(e.dissipated())) {
     std::string const where = find_non_finite(m, s);
-    return fmt::format("a number is no longer finite at t = {:.6g} s, {}; likely the time step is too large (lower "
-                       "[run] dt_factor) or an element has collapsed",
-                       s.time, where.empty() ? "in the energies" : where);
+    return fmt::format(
+        "a number is no longer finite at t = {:.6g} s, {}; likely the time step is too large (lower "
+        "[run] dt_factor) or an element has collapsed",
+        s.time, where.empty() ? "in the energies" : where);
   }
   scale_ = std::max(scale_, e.start + e.absolute_work);
   if (std::abs(e.missing()) > std::abs(worst_missing_)) worst_missing_ = e.missing();
@@ -46,9 +48,10 @@ std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model con
   double const now = e.missing() / scale_;
   if (std::abs(now) > m.source.run.residual_warn) warned_ = true;
   if (std::abs(now) > m.source.run.residual_stop)
-    return fmt::format("the energy balance is off by {:.2g} % of the energy put in at t = {:.6g} s ({}); lower [run] "
-                       "dt_factor or raise [run] residual_stop if this is understood",
-                       100 * now, s.time, now < 0 ? "energy was created" : "energy was lost");
+    return fmt::format(
+        "the energy balance is off by {:.2g} % of the energy put in at t = {:.6g} s ({}); lower [run] "
+        "dt_factor or raise [run] residual_stop if this is understood",
+        100 * now, s.time, now < 0 ? "energy was created" : "energy was lost");
   return std::nullopt;
 }
 

@@ -30,7 +30,8 @@ class Monitor {
   double kinetic_ratio() const;
   /// Share of the readings, internal energy above 1 % of its largest value, with kinetic/internal below 5 %.
   double quiet_share() const;
-  /// Mean resultant of reactions, applied forces and weight over the mean sum of their magnitudes: 0 = equilibrium.
+  /// Mean resultant of reactions, applied forces and weight over the mean sum of their magnitudes: 0 =
+  /// equilibrium.
   double imbalance() const { return all_forces_ > 0 ? resultant_ / all_forces_ : 0; }
   bool crossed_warning() const { return warned_; }
 
@@ -45,7 +46,8 @@ class Monitor {
   std::vector<Share> shares_;
 };
 
-/// Where the first non-finite displacement or velocity sits, for the message that ends the run; empty if none.
+/// Where the first non-finite displacement or velocity sits, for the message that ends the run; empty if
+/// none.
 std::string find_non_finite(model::Model const& m, state::State const& s);
 
 } // namespace fissura::sim

@@ -5,7 +5,9 @@
 
 namespace fissura::sim {
 
-double Progress::elapsed() const { return std::chrono::duration<double>(clock::now() - start_).count(); }
+double Progress::elapsed() const {
+  return std::chrono::duration<double>(clock::now() - start_).count();
+}
 
 bool Progress::due(double seconds) {
   double const now = elapsed();
@@ -17,7 +19,9 @@ bool Progress::due(double seconds) {
 double Progress::eta(double done) {
   Sample const now{elapsed(), done};
   std::size_t const size = window_.size();
-  Sample const oldest = samples_ == 0 ? Sample{0, 0} : samples_ < size ? window_[0] : window_[samples_ % size];
+  Sample const oldest = samples_ == 0     ? Sample{0, 0}
+                        : samples_ < size ? window_[0]
+                                          : window_[samples_ % size];
   window_[samples_++ % size] = now;
   if (now.done <= oldest.done || now.wall <= oldest.wall) return -1;
   return std::max(0.0, (1 - now.done) * (now.wall - oldest.wall) / (now.done - oldest.done));

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "fissura/output/atomic_file.hpp"
-#include "fissura/output/json.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/loads/curve.hpp"
+#include "fissura/output/atomic_file.hpp"
+#include "fissura/output/json.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/clock.hpp"
@@ -29,7 +29,9 @@ using model::Model;
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
+void interrupt(int) {
+  interrupted = 1;
+}
 
 /// SIGINT and SIGTERM only raise a flag while a run goes on; the old handlers come back afterwards.
 class SignalGuard {
@@ -53,13 +55,17 @@ void make_folder(std::string const& folder, bool force) {
   namespace fs = std::filesystem;
   std::error_code ec;
   if (fs::exists(folder, ec) && !force)
-    throw core::Error(core::Failure::io, fmt::format("{} exists already; choose another --out or add --force", folder));
+    throw core::Error(core::Failure::io,
+                      fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
-    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "frames", "log.txt", "case.toml"})
+    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "frames",
+                            "log.txt", "case.toml"})
       fs::remove_all(fs::path(folder) / old, ec);
   }
   fs::create_directories(folder, ec);
-  if (ec) throw core::Error(core::Failure::io, fmt::format("{}: cannot create the run folder: {}", folder, ec.message()));
+  if (ec)
+    throw core::Error(core::Failure::io,
+                      fmt::format("{}: cannot create the run folder: {}", folder, ec.message()));
 }
 
 double planned_time(Model const& m) {
@@ -73,12 +79,14 @@ double planned_time(Model const& m) {
 class Run {
  public:
   Run(model::Case const& c, RunOptions const& options)
-      : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(make_log(options.quiet)),
-        m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_)), gauges_(m_),
-        stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
-        history_due_(c.output.history_every > 0 ? c.output.history_every : end_ / std::max(1, c.output.history_points)),
+      : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads),
+        log_(make_log(options.quiet)), m_(build_model(c, report_)), s_(step::make_state(m_)),
+        w_(step::make_scratch(m_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
+        history_due_(c.output.history_every > 0 ? c.output.history_every
+                                                : end_ / std::max(1, c.output.history_points)),
         frame_due_(c.output.frames_every > 0 ? c.output.frames_every
-                                             : c.output.frames > 0 ? end_ / c.output.frames : 0) {
+                   : c.output.frames > 0     ? end_ / c.output.frames
+                                             : 0) {
     if (options.until > 0) end_ = std::min(end_, options.until);
   }
 
@@ -109,17 +117,18 @@ class Run {
   void describe() {
     auto const& c = m_.source;
     log_->info("fissura {}: {}", options_.version, c.title.empty() ? "untitled case" : c.title);
-    log_->info("mesh: {} tets, {} joints; mean size {:.4g} mm, smallest altitude {:.4g} mm", m_.tet_count(), m_.joint_count(),
-               report_.quality.mean_h * 1e3, report_.quality.smallest_altitude * 1e3);
+    log_->info("mesh: {} tets, {} joints; mean size {:.4g} mm, smallest altitude {:.4g} mm", m_.tet_count(),
+               m_.joint_count(), report_.quality.mean_h * 1e3, report_.quality.smallest_altitude * 1e3);
     if (!m_.bars.elements.empty())
-      log_->info("bars: {} elements, {} joints, {:.4g} m, {:.4g} kg of steel", m_.bars.elements.size(), m_.bars.joints.size(),
-                 report_.embedding.length(), report_.embedding.steel_mass());
+      log_->info("bars: {} elements, {} joints, {:.4g} m, {:.4g} kg of steel", m_.bars.elements.size(),
+                 m_.bars.joints.size(), report_.embedding.length(), report_.embedding.steel_mass());
     if (m_.added_mass > 0)
       log_->info("mass scaling adds {:.4g} kg to {:.4g} kg", m_.added_mass, m_.total_mass);
     for (auto const& note : report_.notes) log_->info("{}", note);
     for (auto const& warning : report_.warnings) log_->warn("{}", warning);
-    log_->info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}", m_.dt, m_.dt_limiter,
-               std::ceil(end_ / m_.dt), end_, threads_.count(), concrete::kernels().name);
+    log_->info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}",
+               m_.dt, m_.dt_limiter, std::ceil(end_ / m_.dt), end_, threads_.count(),
+               concrete::kernels().name);
   }
 
   bool reason_to_stop(RunResult& result) {
@@ -129,10 +138,13 @@ class Run {
       return true;
     };
     if (interrupted) return stop("stopped", "interrupted by a signal");
-    if (options_.walltime > 0 && progress_.elapsed() > options_.walltime) return stop("stopped", "wall time used up");
-    if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps) return stop("stopped", "max_steps reached");
+    if (options_.walltime > 0 && progress_.elapsed() > options_.walltime)
+      return stop("stopped", "wall time used up");
+    if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps)
+      return stop("stopped", "max_steps reached");
     if (s_.time >= end_) {
-      if (options_.until > 0 && end_ >= options_.until && end_ < planned_time(m_)) return stop("stopped", "time of --until reached");
+      if (options_.until > 0 && end_ >= options_.until && end_ < planned_time(m_))
+        return stop("stopped", "time of --until reached");
       return true;
     }
     return false;
@@ -147,7 +159,8 @@ class Run {
       if (row) gauges_.read_state(m_, s_);
       step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
       if (!reading) continue;
-      if (auto const trouble = monitor_.take(energy_, m_, s_)) throw core::Error(core::Failure::run, *trouble);
+      if (auto const trouble = monitor_.take(energy_, m_, s_))
+        throw core::Error(core::Failure::run, *trouble);
       if (row) {
         write_row(time);
         history_due_.done(time);
@@ -170,7 +183,8 @@ class Run {
   void change_stage() {
     auto const& stage = m_.stages[s_.stage];
     double const since = s_.time - s_.stage_start[s_.stage];
-    bool const quiet = stage.settle > 0 && energy_.internal() > 0 && energy_.kinetic < stage.settle * energy_.internal();
+    bool const quiet =
+        stage.settle > 0 && energy_.internal() > 0 && energy_.kinetic < stage.settle * energy_.internal();
     settled_ = quiet && !loads_change(since) ? settled_ + 1 : 0;
     if (since < stage.duration && settled_ < 3) return;
     if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
@@ -211,9 +225,10 @@ class Run {
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
     std::string const line =
-        fmt::format("{:5.1f} %  t = {:.4g} s  left {}  residual {:+.2g} %  joints damaged {} broken {}  bars yielded {} broken {}",
-                    100 * done, s_.time, left < 0 ? "?" : readable_duration(left), 100 * monitor_.residual(), joints.damaged,
-                    joints.broken, bars.yielded, bars.broken);
+        fmt::format("{:5.1f} %  t = {:.4g} s  left {}  residual {:+.2g} %  joints damaged {} broken {}  bars "
+                    "yielded {} broken {}",
+                    100 * done, s_.time, left < 0 ? "?" : readable_duration(left), 100 * monitor_.residual(),
+                    joints.damaged, joints.broken, bars.yielded, bars.broken);
     if (terminal)
       fmt::print("\r{:<120}", line), std::fflush(stdout);
     else
@@ -230,12 +245,15 @@ class Run {
               readable_duration(progress_.elapsed()));
     double const quiet = monitor_.quiet_share(), imbalance = monitor_.imbalance();
     log_->info("energy residual {:+.3g} % of the energy put in", 100 * monitor_.residual());
-    log_->info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out of balance by {:.2g} %: {}",
+    log_->info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
+               "of balance by {:.2g} %: {}",
                100 * quiet, monitor_.kinetic_ratio(), 100 * imbalance,
-               quiet > 0.9 && imbalance < 0.05 ? "quasi-static"
-                                               : "inertia matters (expected in dynamic cases; else load more slowly)");
+               quiet > 0.9 && imbalance < 0.05
+                   ? "quasi-static"
+                   : "inertia matters (expected in dynamic cases; else load more slowly)");
     if (monitor_.crossed_warning())
-      log_->warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before trusting the run",
+      log_->warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
+                 "trusting the run",
                  100 * m_.source.run.residual_warn);
   }
 
@@ -304,7 +322,8 @@ RunResult run_case(model::Case const& c, RunOptions const& options) {
   RunOptions o = options;
   if (o.out.empty()) o.out = std::filesystem::path(c.deck_file).stem().string() + ".run";
   if (std::filesystem::exists(o.out) && !o.force)
-    throw core::Error(core::Failure::io, fmt::format("{} exists already; choose another --out or add --force", o.out));
+    throw core::Error(core::Failure::io,
+                      fmt::format("{} exists already; choose another --out or add --force", o.out));
   return Run(c, o).go();
 }
 

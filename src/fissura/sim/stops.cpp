@@ -18,10 +18,13 @@ std::optional<std::string> Stops::met(Gauges const& gauges) {
     double const now = gauges.values()[static_cast<std::size_t>(w.gauge)];
     w.peak = std::max(w.peak, std::abs(now));
     auto const& s = w.spec;
-    if (s.has_above && now > s.above) return fmt::format("{} = {:.6g} rose above {:.6g}", s.gauge, now, s.above);
-    if (s.has_below && now < s.below) return fmt::format("{} = {:.6g} fell below {:.6g}", s.gauge, now, s.below);
+    if (s.has_above && now > s.above)
+      return fmt::format("{} = {:.6g} rose above {:.6g}", s.gauge, now, s.above);
+    if (s.has_below && now < s.below)
+      return fmt::format("{} = {:.6g} fell below {:.6g}", s.gauge, now, s.below);
     if (s.falls_to > 0 && w.peak > s.after && std::abs(now) < s.falls_to * w.peak)
-      return fmt::format("|{}| = {:.6g} has fallen below {:.3g} of its peak {:.6g}", s.gauge, std::abs(now), s.falls_to, w.peak);
+      return fmt::format("|{}| = {:.6g} has fallen below {:.3g} of its peak {:.6g}", s.gauge, std::abs(now),
+                         s.falls_to, w.peak);
   }
   return std::nullopt;
 }

@@ -129,11 +129,14 @@ std::string write_template(std::string const& name, std::string const& folder) {
     if (std::filesystem::exists(file, ec))
       throw core::Error(core::Failure::input, file + " exists already; choose another folder");
     std::filesystem::create_directories(folder, ec);
-    if (ec) throw core::Error(core::Failure::io, fmt::format("{}: cannot create the folder: {}", folder, ec.message()));
+    if (ec)
+      throw core::Error(core::Failure::io,
+                        fmt::format("{}: cannot create the folder: {}", folder, ec.message()));
     output::replace_file(file, t.text);
     return fmt::format("wrote {0}; next: fissura check {0}, then fissura run {0}", file);
   }
-  throw core::Error(core::Failure::input, fmt::format("there is no template `{}`; there are: {}", name, template_names()));
+  throw core::Error(core::Failure::input,
+                    fmt::format("there is no template `{}`; there are: {}", name, template_names()));
 }
 
 } // namespace fissura::sim

@@ -1,5 +1,6 @@
 #pragma once
-// Forces on the corners of the few tets that bars, contact or applied loads act on. A tet without a slot costs nothing.
+// Forces on the corners of the few tets that bars, contact or applied loads act on. A tet without a slot
+// costs nothing.
 #include <algorithm>
 #include <vector>
 

@@ -11,7 +11,8 @@
 
 namespace fissura::state {
 
-/// What has become of a joint. A crack-face pair still carries compression and friction; a released one nothing.
+/// What has become of a joint. A crack-face pair still carries compression and friction; a released one
+/// nothing.
 enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, released = 3 };
 
 struct JointHistory {
@@ -23,23 +24,23 @@ struct JointHistory {
 
 /// The accounts of the energy ledger [J]. Work is put in, everything else is where it went.
 struct Ledger {
-  double work_supports = 0, work_forces = 0, work_gravity = 0;  ///< external work up to u_n
-  double viscous = 0, mass_damping = 0, local_damping = 0;      ///< dissipated
-  double absolute_work = 0;                                     ///< sum of |dW_ext|
+  double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
+  double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
+  double absolute_work = 0;                                    ///< sum of |dW_ext|
 };
 
 struct State {
-  long step = 0;     ///< completed steps: u is at step * dt
-  double time = 0;   ///< [s]
-  int stage = 0;     ///< current stage
-  core::Buffer<double> u; ///< [node][4] displacements at step n [m]
-  core::Buffer<double> v; ///< [node][4] velocities at n - 1/2 [m/s]
-  core::Buffer<std::uint8_t> joint_status;    ///< JointStatus, padded to blocks
-  core::Buffer<JointHistory> joint_history;   ///< untouched pages cost nothing
+  long step = 0;                            ///< completed steps: u is at step * dt
+  double time = 0;                          ///< [s]
+  int stage = 0;                            ///< current stage
+  core::Buffer<double> u;                   ///< [node][4] displacements at step n [m]
+  core::Buffer<double> v;                   ///< [node][4] velocities at n - 1/2 [m/s]
+  core::Buffer<std::uint8_t> joint_status;  ///< JointStatus, padded to blocks
+  core::Buffer<JointHistory> joint_history; ///< untouched pages cost nothing
   BarState bars;
-  std::vector<double> reaction;               ///< per Prescribed: sum of reactions at step n [N]
-  std::vector<double> prescribed_velocity;    ///< per Prescribed: at n - 1/2 [m/s]
-  std::vector<double> stage_start;            ///< actual start time of each stage (a stage may end early) [s]
+  std::vector<double> reaction;            ///< per Prescribed: sum of reactions at step n [N]
+  std::vector<double> prescribed_velocity; ///< per Prescribed: at n - 1/2 [m/s]
+  std::vector<double> stage_start;         ///< actual start time of each stage (a stage may end early) [s]
   Ledger ledger;
 };
 
@@ -51,11 +52,12 @@ struct TetSums {
 };
 
 struct Scratch {
-  core::Buffer<double> joint_force; ///< [joint][3][4] on side a (b gets the opposite) [N]; a zero entry at the end
+  core::Buffer<double>
+      joint_force; ///< [joint][3][4] on side a (b gets the opposite) [N]; a zero entry at the end
   core::Buffer<double> corner_force; ///< [node][4], used only with bonded nodes [N]
   Overlay overlay;
   BarScratch bars;
-  std::vector<TetSums> tet_sums;     ///< per chunk
+  std::vector<TetSums> tet_sums; ///< per chunk
 };
 
 } // namespace fissura::state

@@ -41,12 +41,12 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   Vec3 const gravity = loads::gravity_at(m, s, s.time);
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
 
-  concrete::joint_forces(m, s, w);      // F_conc,JE  Eqs. 13-19
-  rebar::bar_joint_forces(m, s, w);     // F_rc,JE    Eqs. 20-27
-  rebar::bar_forces(m, s, w);           // F_rc,FE    Eqs. 3-5
+  concrete::joint_forces(m, s, w);  // F_conc,JE  Eqs. 13-19
+  rebar::bar_joint_forces(m, s, w); // F_rc,JE    Eqs. 20-27
+  rebar::bar_forces(m, s, w);       // F_rc,FE    Eqs. 3-5
   w.overlay.clear();
-  rebar::gather_bar_forces(m, w);       //            to the corners of the host tets
-  loads::applied_forces(m, s, w);       // F_ext
+  rebar::gather_bar_forces(m, w); //            to the corners of the host tets
+  loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean, reading != nullptr);
@@ -78,7 +78,8 @@ Scratch make_scratch(Model const& m) {
   if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
   w.overlay.tets = m.overlay_tets;
   w.overlay.slot_of_tet.assign(tets, -1);
-  for (std::size_t i = 0; i < m.overlay_tets.size(); ++i) w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
+  for (std::size_t i = 0; i < m.overlay_tets.size(); ++i)
+    w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
   w.overlay.force.assign(16 * m.overlay_tets.size(), 0);
   w.bars = rebar::make_bar_scratch(m, w.overlay);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);

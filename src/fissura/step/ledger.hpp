@@ -11,16 +11,18 @@ namespace fissura::step {
 
 /// One reading of the ledger at step n [J].
 struct EnergyBalance {
-  double kinetic = 0, strain = 0, joints = 0, bars = 0, bar_joints = 0;                        ///< held now
-  double fracture_I = 0, fracture_II = 0, friction = 0, bond_steel = 0, dowel = 0, rupture = 0; ///< dissipated
-  double viscous = 0, mass_damping = 0, local_damping = 0;                                     ///< dissipated
-  double work_supports = 0, work_forces = 0, work_gravity = 0;                                  ///< put in
+  double kinetic = 0, strain = 0, joints = 0, bars = 0, bar_joints = 0; ///< held now
+  double fracture_I = 0, fracture_II = 0, friction = 0, bond_steel = 0, dowel = 0,
+         rupture = 0;                                          ///< dissipated
+  double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
+  double work_supports = 0, work_forces = 0, work_gravity = 0; ///< put in
   double absolute_work = 0, start = 0;
 
   double held() const { return kinetic + internal(); }
   double internal() const { return strain + joints + bars + bar_joints; }
   double dissipated() const {
-    return fracture_I + fracture_II + friction + bond_steel + dowel + rupture + viscous + mass_damping + local_damping;
+    return fracture_I + fracture_II + friction + bond_steel + dowel + rupture + viscous + mass_damping +
+           local_damping;
   }
   double work() const { return work_supports + work_forces + work_gravity; }
   /// Signed: negative = more energy than was put in.

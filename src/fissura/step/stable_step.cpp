@@ -86,8 +86,10 @@ class Bounds {
     double const G = m_.tets.shear_modulus[t], lambda = m_.tets.lame[t], norm = gradient_norm(m_, t);
     TetBound b;
     for (std::size_t a = 0; a < 4; ++a) {
-      double const inverse = m_.tets.inverse_mass[model::at(t, static_cast<int>(a), 4)], own_mass = m_.mass[4 * t + a];
-      // a bonded node's frequency is at most that of its stiffest tet alone (Rayleigh), so the own mass counts
+      double const inverse = m_.tets.inverse_mass[model::at(t, static_cast<int>(a), 4)],
+                   own_mass = m_.mass[4 * t + a];
+      // a bonded node's frequency is at most that of its stiffest tet alone (Rayleigh), so the own mass
+      // counts
       b.own = std::max(b.own, m_.tets.volume[t] * (2 * G + 3 * lambda) * norm / own_mass);
       b.viscous = std::max(b.viscous, m_.tets.volume[t] * m_.tets.viscosity[t] * norm / own_mass);
       b.joints = std::max(b.joints, 2 * inverse * joint_k_[4 * t + a]);
@@ -102,7 +104,9 @@ class Bounds {
 };
 
 std::string describe(Model const& m, int tet, TetBound const& b) {
-  char const* const lead = b.bars > b.joints && b.bars > b.own ? "bar joint" : b.joints > b.own ? "joint" : "tet";
+  char const* const lead = b.bars > b.joints && b.bars > b.own ? "bar joint"
+                           : b.joints > b.own                  ? "joint"
+                                                               : "tet";
   auto const c = mesh::corners(m.mesh, tet);
   Vec3 const at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
   return fmt::format("{} at tet {} ({:.4g}, {:.4g}, {:.4g}) m", lead, m.mesh.input_id[tet], at.x, at.y, at.z);
