@@ -81,7 +81,11 @@ int main(int argc, char** argv) {
   bench_command->add_option("--threads", bench.threads, "Threads (default 1)");
   bench_command->add_option("--steps", bench.steps, "Steps (default: about two seconds)");
 
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& e) {
+    return app.exit(e) == 0 ? 0 : 2; // --help and --version are no errors
+  }
   try {
     if (*run_command) return run(run_arguments);
     if (*check_command) return check(deck, set);
