@@ -14,7 +14,7 @@ inline double corner_forces(model::Model const& m, state::State& s, state::Scrat
   if (force.empty()) force = core::Buffer<double>(4 * node_slots(m));
   concrete::TetPass const pass{&m.tets,    s.u.data(),   s.v.data(), w.joint_force.data(),
                                &w.overlay, force.data(), dt,         0,
-                               0,          {},           {},         false};
+                               0,          {},           {}};
   return set.tet_forces(pass, 0, m.tets.blocks()).viscous;
 }
 

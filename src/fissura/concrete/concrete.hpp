@@ -12,7 +12,7 @@ void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// u(n+1). Gravity acts with `gravity`; `gravity_mean` (now and next step) gives its work. Returns what the
 /// step dissipated.
 state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w,
-                                        Vec3 gravity, Vec3 gravity_mean, bool want_kinetic);
+                                        Vec3 gravity, Vec3 gravity_mean);
 
 /// The full law of one joint: evaluates its three points, updates its history and overwrites its force.
 void damaged_joint(model::Model const& m, state::State& s, double* joint_force, int joint);

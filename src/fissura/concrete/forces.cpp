@@ -52,8 +52,8 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::s
         s.v[4 * m.bonding.node[i] + r] = v;
         s.u[4 * m.bonding.node[i] + r] = u;
       }
-      sums.mass_damping += mass * old * old * pass.mass_damping * dt;
-      sums.local_damping += mass * damped * std::abs(old) * dt;
+      double const sense = old > 0 ? 1 : old < 0 ? -1 : 0;
+      sums.local_damping += mass * damped * sense * 0.5 * (old + v) * dt;
       sums.gravity += mass * ratio * pass.gravity_mean[r] * v * dt;
       sums.kinetic += 0.125 * mass * (old + v) * (old + v);
     }
@@ -63,7 +63,6 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::s
 
 void add(TetSums& to, TetSums const& from) {
   to.viscous += from.viscous;
-  to.mass_damping += from.mass_damping;
   to.local_damping += from.local_damping;
   to.gravity += from.gravity;
   to.kinetic += from.kinetic;
@@ -80,8 +79,7 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
                        [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
 }
 
-TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
-                                 bool want_kinetic) {
+TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {
   auto const& stage = m.stages[s.stage];
   TetPass const pass{&m.tets,
                      s.u.data(),
@@ -93,8 +91,7 @@ TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 grav
                      stage.mass_damping,
                      stage.local_damping,
                      gravity,
-                     gravity_mean,
-                     want_kinetic};
+                     gravity_mean};
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {

@@ -31,7 +31,6 @@ struct TetPass {
   double local_damping; ///< alpha [-]
   Vec3 gravity;         ///< acceleration now [m/s2]
   Vec3 gravity_mean;    ///< mean of now and of the next step, for its work
-  bool want_kinetic;
 };
 
 /// One set of kernels per instruction set; [begin, end) are blocks.

@@ -140,7 +140,7 @@ template <class V> struct TetPack {
 
   /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local
   /// damping.
-  void integrate(V (&sums)[4]) {
+  void integrate(V (&sums)[3]) {
     V const zero(0.0), half(0.5), dt(pass.dt), alpha(pass.local_damping);
     V const ratio = load<V>(constant(pass.tets->weight_ratio, 1));
     V const keep(1 - 0.5 * pass.mass_damping * pass.dt), scale(1 / (1 + 0.5 * pass.mass_damping * pass.dt));
@@ -153,23 +153,22 @@ template <class V> struct TetPack {
       V const mass = core::choose(inverse > zero, V(V(1.0) / inverse), zero);
       Vec<V> acc = inverse * f[a] + g;
       Vec<V> const old = v[a];
+      Vec<V> lost{zero, zero, zero};
       if (pass.local_damping > 0) {
         auto damp = [&](V& r, V w) {
           V const d = alpha * core::absolute(r);
           V const sense = core::choose(w > zero, V(1.0), core::choose(w < zero, V(-1.0), zero));
           r -= d * sense;
-          sums[2] += mass * d * core::absolute(w);
+          return V(d * sense);
         };
-        damp(acc.x, old.x), damp(acc.y, old.y), damp(acc.z, old.z);
+        lost = {damp(acc.x, old.x), damp(acc.y, old.y), damp(acc.z, old.z)};
       }
       v[a] = scale * (keep * old + dt * acc);
       u[a] = u[a] + dt * v[a];
-      sums[1] += mass * core::dot(old, old);
-      sums[3] += mass * core::dot(gm, v[a]);
-      if (pass.want_kinetic) {
-        Vec<V> const mid = half * (old + v[a]);
-        sums[0] += half * mass * core::dot(mid, mid);
-      }
+      Vec<V> const mid = half * (old + v[a]); // the velocity at n: what forces at n do work on
+      sums[0] += half * mass * core::dot(mid, mid);
+      sums[1] += mass * core::dot(lost, mid);
+      sums[2] += mass * core::dot(gm, v[a]);
     }
     for (int a = 0; a < 4; ++a) {
       core::store_nodes<V>(pass.u + 4 * (first_node() + a), 16, u[a]);
@@ -189,7 +188,7 @@ template <class V> inline double sum_lanes(V v) {
 }
 
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
-  V viscous(0.0), sums[4] = {V(0.0), V(0.0), V(0.0), V(0.0)};
+  V viscous(0.0), sums[3] = {V(0.0), V(0.0), V(0.0)};
   for (std::size_t b = begin; b < end; ++b)
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
       TetPack<V> p{pass, b, lane, {}, {}, {}};
@@ -206,9 +205,8 @@ template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t be
   state::TetSums r;
   r.viscous = sum_lanes(viscous) * pass.dt;
   r.kinetic = sum_lanes(sums[0]);
-  r.mass_damping = sum_lanes(sums[1]) * pass.mass_damping * pass.dt;
-  r.local_damping = sum_lanes(sums[2]) * pass.dt;
-  r.gravity = sum_lanes(sums[3]) * pass.dt;
+  r.local_damping = sum_lanes(sums[1]) * pass.dt;
+  r.gravity = sum_lanes(sums[2]) * pass.dt;
   return r;
 }
 

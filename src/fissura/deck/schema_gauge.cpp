@@ -200,7 +200,7 @@ Section stop_section() {
       .default_is("none")
       .echoed_if([](StopSpec const& stop) { return stop.has_below; });
   f.number("falls_to", &StopSpec::falls_to,
-           "Stops when |gauge| has fallen to this share of its largest value.")
+           "Stops when |gauge|, averaged over five rows of history, has fallen to this share of its largest mean.")
       .range({0, 1, true, true})
       .default_is("none")
       .echoed_if([](StopSpec const& stop) { return stop.falls_to > 0; });

@@ -80,6 +80,14 @@ template <bool velocity> Written write_motion(MotionSpec const& motion) {
 void finish_motion(Reader& reader, Node const& table, void* record) {
   if (reader.given(record, "displacement") == reader.given(record, "velocity"))
     reader.error(table, "[[motion]] needs either `displacement` or `velocity`");
+  auto const& motion = *static_cast<MotionSpec const*>(record);
+  auto const& c = motion.curve;
+  bool const jumps = (c.kind == model::Curve::Kind::constant && c.value != 0) ||
+                     (c.kind == model::Curve::Kind::ramp && c.over <= 0 && c.value != 0) ||
+                     (c.kind == model::Curve::Kind::table && !c.values.empty() && c.values.front() != 0);
+  if (!motion.is_velocity && jumps)
+    reader.error(table, "a displacement must start at 0: give it a ramp, "
+                        "displacement = {value = \"1 mm\", over = \"10 ms\"}");
 }
 
 Section motion_section() {

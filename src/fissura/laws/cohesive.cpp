@@ -199,7 +199,7 @@ CohesiveParams make_cohesive_params(CohesiveInput const& in) {
   out.law = in.law;
   out.crackable = in.crackable;
   out.friction = in.friction;
-  if (!in.crackable && !(in.f_t > 0)) return out; // strengths mean nothing to a joint that never cracks
+  if (!in.crackable) return out; // strengths mean nothing to a joint that never cracks
   require(in.f_t > 0, "the tensile strength f_t must be positive");
   require(in.G_f > 0, "the fracture energy G_f must be positive");
   require(in.G_s >= 0, "the fracture energy G_s must not be negative");

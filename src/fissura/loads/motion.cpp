@@ -50,7 +50,8 @@ NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep c
     double const free = v, mass = m.mass[node], a = step.acceleration(before, free);
     sum.reaction += mass * ((now - before) / step.dt + 0.5 * step.c * (before + now) - a);
     sum.kinetic += 0.125 * mass * ((before + now) * (before + now) - (before + free) * (before + free));
-    sum.local_damping -= step.alpha * mass * std::abs(a) * std::abs(before) * step.dt;
+    double const sense = before > 0 ? 1 : before < 0 ? -1 : 0;
+    sum.local_damping -= step.alpha * mass * std::abs(a) * sense * 0.5 * (before + free) * step.dt;
     sum.gravity += mass * m.tets.weight_ratio[node / 4] * gravity * (now - free) * step.dt;
     s.u[4 * node + p.axis] += step.dt * (now - free);
     v = now;

@@ -149,7 +149,8 @@ namespace {
 ConcreteSpec const& weaker_side(Model const& m, mesh::SharedFace const& face) {
   auto const& a = m.source.concretes[m.material_of_tet[face.a.tet]];
   auto const& b = m.source.concretes[m.material_of_tet[face.b.tet]];
-  bool const a_weaker = a.crackable != b.crackable ? a.crackable : a.f_t <= b.f_t;
+  bool const a_cracks = a.joints && a.crackable, b_cracks = b.joints && b.crackable;
+  bool const a_weaker = a_cracks != b_cracks ? a_cracks : a.f_t <= b.f_t;
   return a_weaker ? a : b;
 }
 

@@ -10,6 +10,8 @@ namespace {
 /// Padding lanes: identity edges, no volume, no mass.
 void make_tet_data(Model& m) {
   auto& t = m.tets;
+  if (m.mesh.tets.size() >= (std::size_t{1} << 27))
+    throw core::Error(core::Failure::input, "more than 134 million tets: the node numbers would overflow");
   t.count = static_cast<int>(m.mesh.tets.size());
   std::size_t const n = t.blocks() * block;
   t.gradient = core::Buffer<double>(9 * n);

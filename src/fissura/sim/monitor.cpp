@@ -68,6 +68,7 @@ void Monitor::weigh_forces(Model const& m, State const& s) {
     sum += norm(force);
   }
   resultant_ += norm(resultant);
+  last_imbalance_ = sum > 0 ? norm(resultant) / (0.5 * sum) : 0;
   all_forces_ += 0.5 * sum; // each force and what holds it
 }
 

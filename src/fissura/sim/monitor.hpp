@@ -33,11 +33,14 @@ class Monitor {
   /// Mean resultant of reactions, applied forces and weight over the mean sum of their magnitudes: 0 =
   /// equilibrium.
   double imbalance() const { return all_forces_ > 0 ? resultant_ / all_forces_ : 0; }
+  /// The same of the last reading alone.
+  double last_imbalance() const { return last_imbalance_; }
   bool crossed_warning() const { return warned_; }
 
  private:
   void weigh_forces(model::Model const& m, state::State const& s);
   double worst_missing_ = 0, scale_ = 0, floor_ = 0;
+  double last_imbalance_ = 0;
   double resultant_ = 0, all_forces_ = 0; ///< sums over readings [N]
   bool warned_ = false;
   struct Share {

@@ -154,7 +154,7 @@ class Run {
     while (!reason_to_stop(result)) {
       double const time = s_.time;
       bool const row = history_due_.at(time), frame = frame_due_.at(time) && !options_.out.empty();
-      bool const reading = row || s_.step % m_.source.run.energy_every == 0;
+      bool const beat = s_.step % m_.source.run.energy_every == 0, reading = row || beat;
       if (frame) fields_->write(m_, s_), frame_due_.done(time);
       if (row) gauges_.read_state(m_, s_);
       step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
@@ -169,7 +169,7 @@ class Run {
           return;
         }
       }
-      change_stage();
+      if (beat) change_stage(); // on a beat of its own, so that output settings change no result
       show_progress();
     }
   }
@@ -183,9 +183,9 @@ class Run {
   void change_stage() {
     auto const& stage = m_.stages[s_.stage];
     double const since = s_.time - s_.stage_start[s_.stage];
-    bool const quiet =
-        stage.settle > 0 && energy_.internal() > 0 && energy_.kinetic < stage.settle * energy_.internal();
-    settled_ = quiet && !loads_change(since) ? settled_ + 1 : 0;
+    bool const quiet = stage.settle > 0 && energy_.internal() > 0 &&
+                       energy_.kinetic < stage.settle * energy_.internal() && monitor_.last_imbalance() < 0.05;
+    settled_ = quiet && !loads_change() ? settled_ + 1 : 0;
     if (since < stage.duration && settled_ < 3) return;
     if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
       if (settled_ >= 3) end_ = s_.time;
@@ -198,14 +198,16 @@ class Run {
     log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
   }
 
-  /// Whether a load of the present stage is still on its way: a slow ramp is quiet, but not over.
-  bool loads_change(double since) const {
+  /// Whether a load is still on its way: a slow ramp is quiet, but not over; a steady velocity never ends.
+  bool loads_change() const {
     auto changes = [&](model::TimedCurve const& c) {
-      bool const mine = c.stage == s_.stage, of_run = c.stage < 0;
-      return (mine || of_run) && (mine ? since : s_.time) < loads::length_of(c.curve);
+      if (c.stage > s_.stage) return false;
+      return s_.time - (c.stage < 0 ? 0 : s_.stage_start[c.stage]) < loads::length_of(c.curve);
     };
     bool any = m_.gravity.on && changes(m_.gravity.curve);
-    for (auto const& p : m_.prescribed) any |= changes(p.motion);
+    for (std::size_t i = 0; i < m_.prescribed.size(); ++i)
+      any |= changes(m_.prescribed[i].motion) ||
+             (m_.prescribed[i].is_velocity && s_.prescribed_velocity[i] != 0);
     for (auto const& f : m_.forces) any |= changes(f.curve);
     return any;
   }

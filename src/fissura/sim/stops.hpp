@@ -1,5 +1,6 @@
 #pragma once
 // The user's conditions for ending a run.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ class Stops {
   struct Watch {
     model::StopSpec spec;
     int gauge;
-    double peak = 0; ///< largest |reading| so far
+    std::array<double, 5> last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
+    std::size_t readings = 0;
+    double peak = 0; ///< largest |mean| so far
+
+    double mean_with(double reading);
   };
   std::vector<Watch> watches_;
 };

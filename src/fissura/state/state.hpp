@@ -26,6 +26,8 @@ struct JointHistory {
 struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
   double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
+  double start = 0;                                            ///< held at t = 0 (prestressed bars)
+  double kinetic_before = 0;                                   ///< kinetic energy one step ago
   double absolute_work = 0;                                    ///< sum of |dW_ext|
 };
 
@@ -46,9 +48,9 @@ struct State {
 
 /// Sums over chunks of tets that one step leaves behind.
 struct TetSums {
-  double viscous = 0, mass_damping = 0, local_damping = 0; ///< [J] dissipated in this step
+  double viscous = 0, local_damping = 0; ///< [J] dissipated in this step
   double gravity = 0;                                      ///< [J] work of gravity over u_n -> u_(n+1)
-  double kinetic = 0;                                      ///< [J] at step n; only when asked for
+  double kinetic = 0;                                      ///< [J] at step n
 };
 
 struct Scratch {

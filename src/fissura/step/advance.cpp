@@ -23,11 +23,14 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::Mo
     l.absolute_work += std::abs(work);
   };
   l.viscous += sums.viscous;
-  l.mass_damping += sums.mass_damping;
+  double const kinetic = sums.kinetic + motion.kinetic;
+  // c m v^2 by the trapezoidal rule over u_(n-1) -> u_n
+  if (s.step > 0) l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic);
+  l.kinetic_before = kinetic;
   l.local_damping += sums.local_damping + motion.local_damping;
   put_in(l.work_supports, motion.work_done);
   if (reading) {
-    reading->kinetic = sums.kinetic + motion.kinetic;
+    reading->kinetic = kinetic;
     read_flows(*reading, m, s);
   }
   put_in(l.work_supports, motion.work_next);
@@ -49,7 +52,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
-      m, s, w, gravity, gravity_mean, reading != nullptr);
+      m, s, w, gravity, gravity_mean);
   auto const motion = loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
   post_energy(m, s, sums, motion, reading);
 
@@ -68,6 +71,7 @@ State make_state(Model const& m) {
   s.reaction.assign(m.prescribed.size(), 0);
   s.prescribed_velocity.assign(m.prescribed.size(), 0);
   s.stage_start.assign(m.stages.size(), 0);
+  s.ledger.start = read_stored(m, s).held();
   return s;
 }
 

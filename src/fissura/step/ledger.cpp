@@ -50,6 +50,7 @@ void read_flows(EnergyBalance& e, model::Model const&, state::State const& s) {
   e.work_forces = s.ledger.work_forces;
   e.work_gravity = s.ledger.work_gravity;
   e.absolute_work = s.ledger.absolute_work;
+  e.start = s.ledger.start;
 }
 
 } // namespace fissura::step

@@ -1,42 +1,19 @@
 #include "fissura/step/stable_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <vector>
 
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/step/tet_bound.hpp"
 
 namespace fissura::step {
 
 using model::Model;
 
 namespace {
-
-/// Largest eigenvalue of a symmetric 3x3 matrix, closed form.
-double largest_eigenvalue(Mat3 const& a) {
-  double const q = trace(a) / 3;
-  Mat3 const d = a - q * Mat3::identity();
-  double const p = std::sqrt(contract(d, d) / 6);
-  if (p <= 0) return q;
-  double const r = std::clamp(0.5 * determinant((1 / p) * d), -1.0, 1.0);
-  return q + 2 * p * std::cos(std::acos(r) / 3);
-}
-
-/// Largest eigenvalue of sum_a g_a g_a^T, g_a the reference gradients of the four shape functions [1/m2].
-double gradient_norm(Model const& m, std::size_t tet) {
-  Mat3 sum;
-  Vec3 last;
-  auto add = [&](Vec3 g) { sum = sum + Mat3{{g.x * g, g.y * g, g.z * g}}; };
-  for (int i = 0; i < 3; ++i) {
-    Vec3 g;
-    for (int r = 0; r < 3; ++r) g[r] = m.tets.gradient[model::at(tet, 3 * i + r, 9)];
-    add(g);
-    last -= g;
-  }
-  add(last);
-  return largest_eigenvalue(sum);
-}
 
 /// Stiffness that joints put on each node: sum of p A/(3 h).
 std::vector<double> joint_stiffness(Model const& m) {
@@ -72,10 +49,38 @@ struct TetBound {
   }
 };
 
+/// How the mass of bonded nodes is shared out among their tets. Any sharing gives a safe bound (Rayleigh):
+/// the tets alone are never slower than the body. `own`: each tet keeps its own mass. `by_stiffness`: each
+/// gets mass in proportion to the stiffness V (2G + lambda) |grad N|^2 it puts on the node; closer where
+/// small tets meet large ones. Nodes of their own know only `own`.
+enum class MassSharing { own, by_stiffness };
+
+std::vector<double> nodal_stiffness(Model const& m) {
+  std::vector<double> k(4 * static_cast<std::size_t>(m.tets.count));
+  for (std::size_t t = 0; 4 * t < k.size(); ++t) {
+    auto const g = shape_gradients(m, t);
+    for (std::size_t a = 0; a < 4; ++a)
+      k[4 * t + a] = m.tets.volume[t] * (2 * m.tets.shear_modulus[t] + m.tets.lame[t]) * dot(g[a], g[a]);
+  }
+  return k;
+}
+
+std::vector<double> shared_masses(Model const& m, MassSharing sharing) {
+  std::vector<double> mass(m.mass.begin(), m.mass.begin() + 4 * static_cast<std::ptrdiff_t>(m.tets.count));
+  if (sharing == MassSharing::own || !m.bonding.any) return mass;
+  auto const own = nodal_stiffness(m);
+  auto total = own;
+  sum_over_clusters(m, total);
+  sum_over_clusters(m, mass);
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] *= own[n] / total[n];
+  return mass;
+}
+
 /// The bounds of all tets.
 class Bounds {
  public:
-  explicit Bounds(Model const& m) : m_(m), joint_k_(joint_stiffness(m)), bar_k_(joint_k_.size(), 0) {
+  Bounds(Model const& m, MassSharing sharing)
+      : m_(m), mass_(shared_masses(m, sharing)), joint_k_(joint_stiffness(m)), bar_k_(joint_k_.size(), 0) {
     rebar::add_bar_stiffness(m.bars, bar_k_);
     sum_over_clusters(m, joint_k_);
     sum_over_clusters(m, bar_k_);
@@ -83,15 +88,12 @@ class Bounds {
 
   TetBound of(int tet) const {
     auto const t = static_cast<std::size_t>(tet);
-    double const G = m_.tets.shear_modulus[t], lambda = m_.tets.lame[t], norm = gradient_norm(m_, t);
+    std::array<double, 4> const mass{mass_[4 * t], mass_[4 * t + 1], mass_[4 * t + 2], mass_[4 * t + 3]};
     TetBound b;
+    b.own = elastic_bound(m_, t, mass);
+    b.viscous = viscous_bound(m_, t, mass);
     for (std::size_t a = 0; a < 4; ++a) {
-      double const inverse = m_.tets.inverse_mass[model::at(t, static_cast<int>(a), 4)],
-                   own_mass = m_.mass[4 * t + a];
-      // a bonded node's frequency is at most that of its stiffest tet alone (Rayleigh), so the own mass
-      // counts
-      b.own = std::max(b.own, m_.tets.volume[t] * (2 * G + 3 * lambda) * norm / own_mass);
-      b.viscous = std::max(b.viscous, m_.tets.volume[t] * m_.tets.viscosity[t] * norm / own_mass);
+      double const inverse = m_.tets.inverse_mass[model::at(t, static_cast<int>(a), 4)];
       b.joints = std::max(b.joints, 2 * inverse * joint_k_[4 * t + a]);
       b.bars = std::max(b.bars, 2 * inverse * bar_k_[4 * t + a]);
     }
@@ -100,7 +102,7 @@ class Bounds {
 
  private:
   Model const& m_;
-  std::vector<double> joint_k_, bar_k_;
+  std::vector<double> mass_, joint_k_, bar_k_;
 };
 
 std::string describe(Model const& m, int tet, TetBound const& b) {
@@ -112,10 +114,8 @@ std::string describe(Model const& m, int tet, TetBound const& b) {
   return fmt::format("{} at tet {} ({:.4g}, {:.4g}, {:.4g}) m", lead, m.mesh.input_id[tet], at.x, at.y, at.z);
 }
 
-} // namespace
-
-StableStep stable_step(Model const& m) {
-  Bounds const bounds(m);
+StableStep slowest(Model const& m, MassSharing sharing) {
+  Bounds const bounds(m, sharing);
   StableStep best;
   for (int tet = 0; tet < m.tets.count; ++tet) {
     double const dt = bounds.of(tet).dt();
@@ -129,8 +129,17 @@ StableStep stable_step(Model const& m) {
   return best;
 }
 
+} // namespace
+
+StableStep stable_step(Model const& m) {
+  auto const own = slowest(m, MassSharing::own);
+  if (!m.bonding.any) return own;
+  auto const shared = slowest(m, MassSharing::by_stiffness); // both are safe: take the better
+  return shared.dt > own.dt ? shared : own;
+}
+
 std::vector<double> mass_factors(Model const& m, double dt) {
-  Bounds const bounds(m);
+  Bounds const bounds(m, MassSharing::own);
   std::vector<double> factor(static_cast<std::size_t>(m.tets.count), 1);
   for (int tet = 0; tet < m.tets.count; ++tet) {
     double const own = bounds.of(tet).dt();

@@ -72,7 +72,7 @@ TEST(Patch, interior_points_are_in_balance) {
 TEST(Patch, a_step_moves_only_the_surface) {
   Patch p(5);
   p.m.dt = 1e-7;
-  concrete::tet_forces_and_integrate(p.m, p.s, p.w, {}, {}, false);
+  concrete::tet_forces_and_integrate(p.m, p.s, p.w, {}, {});
   Vec3 const size{0.4, 0.3, 0.3};
   double inside = 0, outside = 0;
   for (int n = 0; n < node_count(p.m); ++n) {
