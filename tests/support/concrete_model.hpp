@@ -102,7 +102,7 @@ inline state::Scratch concrete_scratch(model::Model const& m) {
   state::Scratch w;
   w.joint_force = core::Buffer<double>(12 * m.joints.blocks() * model::block + 16);
   if (m.bonding.any) w.corner_force = core::Buffer<double>(4 * node_slots(m));
-  w.overlay.slot_of_tet.assign(m.tets.blocks() * model::block, -1);
+  w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);
   return w;
 }

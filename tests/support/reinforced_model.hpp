@@ -35,7 +35,6 @@ inline model::Model reinforced_model(mesh::Mesh mesh, model::ConcreteSpec const&
   model::add_steel_mass(m, steel);
   rebar::set_bar_joint_laws(m);
   m.overlay_tets = rebar::host_tets(m.bars);
-  for (int const tet : m.overlay_tets) m.tets.has_overlay[tet / model::block] = 1;
   return m;
 }
 

@@ -115,7 +115,7 @@ template <class V> struct TetPack {
   }
 
   void add_overlay() {
-    if (!pass.tets->has_overlay[block]) return;
+    if (!pass.overlay->in_block[block]) return;
     for (int i = 0; i < core::lanes<V>; ++i) {
       int const slot = pass.overlay->slot_of_tet[block * model::block + lane0 + i];
       if (slot < 0) continue;

@@ -39,7 +39,6 @@ struct TetBlocks {
   core::Buffer<int>
       joint_force; ///< [block][12][8] face by face, corner by corner: where its joint force starts
   core::Buffer<double> joint_sign;       ///< [block][4][8] +1, -1, 0 per face
-  std::vector<std::uint8_t> has_overlay; ///< per block
   std::vector<std::uint8_t>
       is_paper; ///< per block: some tet uses the law `paper` (all of a block use one law)
   bool any_viscosity = false;

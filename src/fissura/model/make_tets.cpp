@@ -21,7 +21,6 @@ void make_tet_data(Model& m) {
   t.lame = core::Buffer<double>(n);
   t.viscosity = core::Buffer<double>(n);
   t.weight_ratio = core::Buffer<double>(n);
-  t.has_overlay.assign(t.blocks(), 0);
   t.is_paper.assign(t.blocks(), 0);
   m.position = core::Buffer<double>(16 * n);
   m.mass = core::Buffer<double>(4 * n);

@@ -142,7 +142,6 @@ void build_forces(Model& m, Copies const& copies) {
   for (auto const& p : pending)
     for (auto const& e : p.entries) hosts.insert(e.node / 4);
   m.overlay_tets.assign(hosts.begin(), hosts.end());
-  for (int const tet : m.overlay_tets) m.tets.has_overlay[tet / model::block] = 1;
 
   for (auto& p : pending) {
     for (auto const& e : p.entries) {

@@ -26,6 +26,7 @@ struct JointHistory {
 struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
   double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
+  double contact_friction = 0, absorbed = 0;                   ///< dissipated
   double start = 0;                                            ///< held at t = 0 (prestressed bars)
   double kinetic_before = 0;                                   ///< kinetic energy one step ago
   double absolute_work = 0;                                    ///< sum of |dW_ext|

@@ -80,11 +80,7 @@ Scratch make_scratch(Model const& m) {
   std::size_t const tets = m.tets.blocks() * model::block, joints = m.joints.blocks() * model::block;
   w.joint_force = core::Buffer<double>(12 * joints + 16);
   if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
-  w.overlay.tets = m.overlay_tets;
-  w.overlay.slot_of_tet.assign(tets, -1);
-  for (std::size_t i = 0; i < m.overlay_tets.size(); ++i)
-    w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
-  w.overlay.force.assign(16 * m.overlay_tets.size(), 0);
+  w.overlay = state::Overlay(tets, m.overlay_tets);
   w.bars = rebar::make_bar_scratch(m, w.overlay);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);
   return w;

@@ -5,21 +5,25 @@
 
 namespace fissura::step {
 
-std::array<std::pair<std::string_view, double>, 17> EnergyBalance::accounts() const {
+std::array<std::pair<std::string_view, double>, 21> EnergyBalance::accounts() const {
   return {{{"kinetic", kinetic},
            {"strain", strain},
            {"joints", joints},
            {"bars", bars},
            {"bar_joints", bar_joints},
+           {"contact", contact},
+           {"impactors", impactors},
            {"fracture_I", fracture_I},
            {"fracture_II", fracture_II},
            {"friction", friction},
+           {"contact_friction", contact_friction},
            {"bond_steel", bond_steel},
            {"dowel", dowel},
            {"rupture", rupture},
            {"viscous", viscous},
            {"mass_damping", mass_damping},
            {"local_damping", local_damping},
+           {"absorbed", absorbed},
            {"work_supports", work_supports},
            {"work_forces", work_forces},
            {"work_gravity", work_gravity}}};
@@ -46,6 +50,8 @@ void read_flows(EnergyBalance& e, model::Model const&, state::State const& s) {
   e.viscous = s.ledger.viscous;
   e.mass_damping = s.ledger.mass_damping;
   e.local_damping = s.ledger.local_damping;
+  e.contact_friction = s.ledger.contact_friction;
+  e.absorbed = s.ledger.absorbed;
   e.work_supports = s.ledger.work_supports;
   e.work_forces = s.ledger.work_forces;
   e.work_gravity = s.ledger.work_gravity;

@@ -46,14 +46,9 @@ struct Bench {
   /// Some tets with forces of bars or loads.
   void load_some_tets() {
     m.overlay_tets = {2, 3, 17, m.tet_count() - 1};
-    w.overlay.tets = m.overlay_tets;
-    w.overlay.force.assign(16 * m.overlay_tets.size(), 0);
+    for (int const tet : m.overlay_tets) w.overlay.slot_for(tet);
     for (std::size_t i = 0; i < w.overlay.force.size(); ++i)
       w.overlay.force[i] = i % 4 == 3 ? 0 : 10.0 * static_cast<double>(i % 7);
-    for (std::size_t i = 0; i < m.overlay_tets.size(); ++i) {
-      w.overlay.slot_of_tet[m.overlay_tets[i]] = static_cast<int>(i);
-      m.tets.has_overlay[m.overlay_tets[i] / model::block] = 1;
-    }
   }
   void step(KernelSet const& set) {
     Context const context{m, s, w.joint_force.data()};

@@ -20,8 +20,6 @@ struct Cell {
     m.overlay_tets = {0, 2};
     s = concrete_state(m);
     w = concrete_scratch(m);
-    w.overlay.tets = m.overlay_tets;
-    w.overlay.force.assign(32, 0);
   }
   void prescribe(std::string name, int axis, model::Curve curve, bool is_velocity, std::vector<int> nodes) {
     m.prescribed.push_back({std::move(name), axis, is_velocity, {std::move(curve), -1}, std::move(nodes)});

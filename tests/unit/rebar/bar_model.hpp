@@ -32,11 +32,8 @@ struct BarModel {
     rebar::set_bar_joint_laws(m);
     place_nodes();
     s.bars = rebar::make_bar_state(m.bars);
-    w.overlay.tets = rebar::host_tets(m.bars);
-    w.overlay.slot_of_tet.assign(m.mesh.tets.size(), -1);
-    for (std::size_t i = 0; i < w.overlay.tets.size(); ++i)
-      w.overlay.slot_of_tet[w.overlay.tets[i]] = static_cast<int>(i);
-    w.overlay.force.assign(16 * w.overlay.tets.size(), 0);
+    w.overlay =
+        state::Overlay(model::blocks_for(m.mesh.tets.size()) * model::block, rebar::host_tets(m.bars));
     w.bars = rebar::make_bar_scratch(m, w.overlay);
   }
 
