@@ -7,6 +7,7 @@
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/core/error.hpp"
+#include "fissura/sim/fragments.hpp"
 
 namespace fissura::sim {
 
@@ -39,6 +40,7 @@ Grid tet_grid(Model const& m, State const& s) {
   Grid g;
   std::vector<float> displacement, velocity, stress;
   std::vector<std::int32_t> group, number;
+  auto const fragment = find_fragments(m, s).of_tet;
   for (int t = 0; t < m.tets.count; ++t) {
     for (int a = 0; a < 4; ++a) {
       int const node = model::node_of(t, a);
@@ -52,7 +54,10 @@ Grid tet_grid(Model const& m, State const& s) {
     number.push_back(m.mesh.input_id[t]);
   }
   g.point_data = {{"displacement", 3, displacement, "m"}, {"velocity", 3, velocity, "m/s"}};
-  g.cell_data = {{"stress", 6, stress, "Pa"}, {"group", 1, group, ""}, {"input_id", 1, number, ""}};
+  g.cell_data = {{"stress", 6, stress, "Pa"},
+                 {"group", 1, group, ""},
+                 {"input_id", 1, number, ""},
+                 {"fragment", 1, std::vector<std::int32_t>(fragment.begin(), fragment.end()), ""}};
   return g;
 }
 

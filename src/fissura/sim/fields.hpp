@@ -9,7 +9,7 @@
 
 namespace fissura::sim {
 
-/// All tets: displacement, velocity at the nodes; stress, group, input number per tet.
+/// All tets: displacement, velocity at the nodes; stress, group, input number, fragment per tet.
 output::Grid tet_grid(model::Model const& m, state::State const& s);
 /// Damaged joints as triangles: opening, sliding, damage, mode, time of failure, dissipated energy.
 output::Grid crack_grid(model::Model const& m, state::State const& s);

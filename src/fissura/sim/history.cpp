@@ -12,7 +12,7 @@ History::History(std::string const& path, model::Model const& m, Gauges const& g
     columns.push_back({fmt::format("energy_{}", name), "J"});
   columns.push_back({"energy_residual", "-"});
   for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
-                            "bar_joints_yielded", "bars_broken"})
+                            "bar_joints_yielded", "bars_broken", "fragments"})
     columns.push_back({count, "-"});
   csv_ = std::make_unique<output::CsvWriter>(path, columns);
   values_.reserve(columns.size());
@@ -26,8 +26,8 @@ void History::row(double time, model::Model const& m, state::State const& s, Gau
   values_.push_back(monitor.residual_of(e));
   auto const joints = concrete::count_joints(m, s);
   auto const bars = count_bars(s.bars);
-  for (int const n :
-       {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded, bars.broken})
+  for (int const n : {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded,
+                      bars.broken, count_fragments_(m, s, joints.broken)})
     values_.push_back(n);
   csv_->row(time, values_);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fissura/output/csv.hpp"
+#include "fissura/sim/fragments.hpp"
 #include "fissura/sim/gauges.hpp"
 #include "fissura/sim/monitor.hpp"
 
@@ -20,6 +21,7 @@ class History {
  private:
   std::unique_ptr<output::CsvWriter> csv_;
   std::vector<double> values_;
+  FragmentCount count_fragments_;
 };
 
 } // namespace fissura::sim

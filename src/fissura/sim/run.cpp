@@ -14,6 +14,7 @@
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/clock.hpp"
 #include "fissura/sim/fields.hpp"
+#include "fissura/sim/fragments.hpp"
 #include "fissura/sim/history.hpp"
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/monitor.hpp"
@@ -287,6 +288,7 @@ class Run {
     j["bar_joints_activated"] = bars.activated;
     j["bar_joints_yielded"] = bars.yielded;
     j["bars_broken"] = bars.broken;
+    j["fragments"] = fragments_json(find_fragments(m_, s_));
     j["energy"] = energy;
     j["energy_residual"] = monitor_.residual();
     j["max_kinetic_ratio"] = monitor_.kinetic_ratio();

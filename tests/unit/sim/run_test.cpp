@@ -104,6 +104,7 @@ TEST(RunFolder, is_complete) {
                           "bar_joints_activated",
                           "bar_joints_yielded",
                           "bars_broken",
+                          "fragments",
                           "energy",
                           "energy_residual",
                           "max_kinetic_ratio",
