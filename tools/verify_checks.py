@@ -28,6 +28,7 @@ class Case:
 
 INFORMATION = float("inf")
 PENALTIES = (20, 60, 100)
+TITLES = {"demo": "demo beam after its collapse", "tie_D": "tie 3.4, mesh D, torn apart"}
 
 CASES = {
     "tension_prism": Case("3.1 Prism in tension", """A prism of 1.0 x 0.2 x 0.2 m pulled at both ends, far below cracking; mesh A 10x2x2 cells, mesh B 20x4x4,
@@ -56,6 +57,7 @@ section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within 
                        (31, 32, 33)),
     "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form. The
 run ends after the bars have yielded.""", ("33_unstructured",)),
+    "fragment": Case("Fragments", """The connected bodies that fracture has left at the end of a run: their masses, steel included, add up to the mass of the model."""),
     "reproducible": Case("Same bits", """Tie 3.4, mesh A: the hash of the final state with one and with two threads."""),
 }
 
@@ -192,6 +194,10 @@ def other_checks():
                 ("compression_case",))
     yield Check("compression", "largest energy residual [%]", 0, 0.5, lambda *runs: max(measure.residual(r) for r in runs),
                 ("compression_case", "compression_slender", "compression_unstructured"))
+    for name in ("demo", "tie_D"):
+        yield Check("fragment", f"masses over the mass of the model, less 1, {TITLES[name]}", 0, 1e-12, measure.fragment_mass_error, (name,))
+        yield Check("fragment", f"number of fragments, {TITLES[name]}", float("nan"), INFORMATION,
+                    lambda run: run.summary["fragments"]["count"], (name,))
     yield Check("reproducible", "state hash agrees on 1 and 2 threads (1 = yes)", 1, 0,
                 lambda a, b: float(a.summary["state_hash"] == b.summary["state_hash"]), ("tie_A", "tie_A_two_threads"))
 

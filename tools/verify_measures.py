@@ -34,6 +34,11 @@ def residual(run):
     return 100 * abs(run.summary["energy_residual"])
 
 
+def fragment_mass_error(run):
+    """Sum of the masses of the fragments over the mass of the model, less 1."""
+    return run.summary["fragments"]["mass"] / run.summary["total_mass"] - 1
+
+
 def first(condition):
     """Index of the first row that meets it, or None."""
     where = np.flatnonzero(condition)
