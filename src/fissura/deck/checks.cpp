@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fissura/deck/nearest.hpp"
+#include "fissura/deck/values.hpp"
 
 namespace fissura::deck {
 namespace {
@@ -127,6 +128,36 @@ void check_gauges(Reader& reader) {
     check_reference(reader, &stop, "gauge", stop.gauge, names_of(c.gauges), "[[gauge]]");
 }
 
+/// Gauges are known only now: the value of a target takes the unit of its gauge.
+void check_target(Reader& reader, model::PathSpec::Target& target) {
+  auto const& gauges = reader.the_case.gauges;
+  auto const gauge =
+      std::find_if(gauges.begin(), gauges.end(), [&](auto const& g) { return g.name == target.gauge; });
+  if (gauge == gauges.end()) {
+    Names const known = names_of(gauges);
+    std::string const hint =
+        known.empty() ? std::string("; this deck has no [[gauge]]") : did_you_mean(target.gauge, known);
+    return reader.error(target.place,
+                        fmt::format("`gauge`: no [[gauge]] is named \"{}\"{}", target.gauge, hint));
+  }
+  if (target.written.empty()) return;
+  Node written;
+  written.kind = Node::Kind::text, written.text = target.written, written.place = target.place;
+  target.value = read_quantity(reader, written, Wanted("value", dimension_of(*gauge))).value_or(0);
+}
+
+void check_paths(Reader& reader) {
+  auto& motions = reader.the_case.motions;
+  Names owners;
+  for (auto const& motion : motions)
+    if (motion.path && motion.path->of.empty()) owners.push_back(motion.name);
+  for (auto& motion : motions) {
+    if (!motion.path) continue;
+    for (auto& target : motion.path->targets) check_target(reader, target);
+    check_reference(reader, &motion, "path", motion.path->of, owners, "[[motion]] with a path of its own");
+  }
+}
+
 /// Every group has one material, and at most one material takes what is left.
 void check_materials(Reader& reader) {
   auto const& c = reader.the_case;
@@ -189,6 +220,7 @@ void check_case(Reader& reader) {
   check_bars(reader);
   check_loads(reader);
   check_gauges(reader);
+  check_paths(reader);
   check_duration(reader);
 }
 

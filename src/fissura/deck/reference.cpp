@@ -106,6 +106,15 @@ acceleration = "9.81 m/s2"
 ```
 )";
 
+constexpr char const* path_example = R"(
+```toml
+path = {speed = "0.1 m/s", turn = "5 ms", to = [
+  {gauge = "mean_strain", value = 0.002}, {gauge = "force", value = "0 N"},
+  {gauge = "mean_strain", value = 0.005}, {gauge = "force", value = "0 N"}]}
+path = {of = "right", scale = -1}
+```
+)";
+
 } // namespace
 
 std::string reference_markdown() {
@@ -114,6 +123,8 @@ std::string reference_markdown() {
   text += examples;
   text += shape_text(curve_shape(), "Curves");
   text += curve_examples;
+  text += shape_text(path_shape(), "Paths");
+  text += path_example;
   for (auto const& section : schema()) text += section_text(section);
   return text;
 }

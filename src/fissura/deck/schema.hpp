@@ -67,12 +67,17 @@ std::string title(Section const& section);
 std::vector<Section> const& schema();
 
 Shape const& selector_shape();
+/// Its record is a model::PathSpec.
+Shape const& path_shape();
 /// Its record is a CurveDraft: the dimension of the values depends on the key that holds the curve.
 Shape const& curve_shape();
 struct CurveDraft {
   model::Curve curve;
   units::Dimension dimension = units::Dimension::none;
 };
+
+/// What the readings of a gauge are.
+units::Dimension dimension_of(model::GaugeSpec const& gauge);
 
 // The parts of schema(), one file each.
 std::vector<Section> mesh_sections();

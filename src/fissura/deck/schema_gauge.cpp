@@ -132,27 +132,6 @@ Section gauge_section() {
   return s;
 }
 
-Dimension dimension_of(GaugeSpec const& gauge) {
-  switch (gauge.kind) {
-  case Kind::displacement:
-  case Kind::crack_width:
-    return Dimension::length;
-  case Kind::velocity:
-    return Dimension::velocity;
-  case Kind::reaction:
-  case Kind::force:
-    return Dimension::force;
-  case Kind::mean_strain:
-    return Dimension::none;
-  case Kind::bar:
-    break;
-  }
-  if (gauge.quantity == "slip") return Dimension::length;
-  if (gauge.quantity == "dowel_force") return Dimension::force;
-  if (gauge.quantity == "joint_strain" || gauge.quantity == "normalised_slip") return Dimension::none;
-  return Dimension::pressure;
-}
-
 /// A threshold in SI as a plain number, or with a unit that fits the gauge.
 std::optional<double> read_threshold(Reader& r, Node const& n, Key const& k, StopSpec const& stop) {
   if (n.kind != Node::Kind::text) return read_number(r, n, k);
@@ -200,7 +179,8 @@ Section stop_section() {
       .default_is("none")
       .echoed_if([](StopSpec const& stop) { return stop.has_below; });
   f.number("falls_to", &StopSpec::falls_to,
-           "Stops when |gauge|, averaged over five rows of history, has fallen to this share of its largest mean.")
+           "Stops when |gauge|, averaged over five rows of history, has fallen to this share of its largest "
+           "mean.")
       .range({0, 1, true, true})
       .default_is("none")
       .echoed_if([](StopSpec const& stop) { return stop.falls_to > 0; });
@@ -216,6 +196,27 @@ Section stop_section() {
 }
 
 } // namespace
+
+Dimension dimension_of(GaugeSpec const& gauge) {
+  switch (gauge.kind) {
+  case Kind::displacement:
+  case Kind::crack_width:
+    return Dimension::length;
+  case Kind::velocity:
+    return Dimension::velocity;
+  case Kind::reaction:
+  case Kind::force:
+    return Dimension::force;
+  case Kind::mean_strain:
+    return Dimension::none;
+  case Kind::bar:
+    break;
+  }
+  if (gauge.quantity == "slip") return Dimension::length;
+  if (gauge.quantity == "dowel_force") return Dimension::force;
+  if (gauge.quantity == "joint_strain" || gauge.quantity == "normalised_slip") return Dimension::none;
+  return Dimension::pressure;
+}
 
 std::vector<Section> gauge_sections() {
   return {gauge_section(), stop_section()};

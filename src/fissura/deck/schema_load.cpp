@@ -73,14 +73,18 @@ template <bool velocity> void read_motion(Reader& r, Node const& n, Key const& k
 }
 
 template <bool velocity> Written write_motion(MotionSpec const& motion) {
-  if (motion.is_velocity != velocity) return std::nullopt;
+  if (motion.is_velocity != velocity || motion.path) return std::nullopt;
   return write_curve(motion.curve, velocity ? Dimension::velocity : Dimension::length);
 }
 
 void finish_motion(Reader& reader, Node const& table, void* record) {
-  if (reader.given(record, "displacement") == reader.given(record, "velocity"))
-    reader.error(table, "[[motion]] needs either `displacement` or `velocity`");
+  int given = 0;
+  for (auto const key : {"displacement", "velocity", "path"}) given += reader.given(record, key) ? 1 : 0;
+  if (given != 1) reader.error(table, "[[motion]] needs one of `displacement`, `velocity` and `path`");
   auto const& motion = *static_cast<MotionSpec const*>(record);
+  if (motion.path && !motion.path->of.empty() && reader.given(record, "stage"))
+    reader.error(reader.place(record, "stage"),
+                 "the `stage` is that of the motion whose path this one shares");
   auto const& c = motion.curve;
   bool const jumps = (c.kind == model::Curve::Kind::constant && c.value != 0) ||
                      (c.kind == model::Curve::Kind::ramp && c.over <= 0 && c.value != 0) ||
@@ -91,8 +95,10 @@ void finish_motion(Reader& reader, Node const& table, void* record) {
 }
 
 Section motion_section() {
-  Section s = many_section("motion", &model::Case::motions,
-                           "Prescribes one component of the displacement or velocity of nodes.");
+  Section s = many_section(
+      "motion", &model::Case::motions,
+      "Prescribes one component of the motion of nodes by exactly one of `displacement`, `velocity` and "
+      "`path`.");
   s.finish = finish_motion;
   Fields<MotionSpec> f(s.keys);
   f.name("name", &MotionSpec::name, "Gauges refer to it.").default_is("`motion_1`, `motion_2`, ...");
@@ -105,6 +111,15 @@ Section motion_section() {
   f.custom("velocity", "a curve of a velocity", "Velocity. A jump breaks the first joints: use a ramp.",
            read_motion<true>, write_motion<true>)
       .default_is("none");
+  f.custom(
+       "path", "a path", "To and fro between readings of gauges.",
+       [](Reader& r, Node const& n, Key const& k, MotionSpec& motion) {
+         motion.is_velocity = true;
+         read_path(r, n, k, motion.path.emplace());
+       },
+       [](MotionSpec const& motion) -> Written { return write_shape(path_shape(), &*motion.path); })
+      .default_is("none")
+      .echoed_if([](MotionSpec const& motion) { return motion.path.has_value(); });
   return s;
 }
 

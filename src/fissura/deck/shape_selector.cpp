@@ -118,16 +118,12 @@ void read_selector(Reader& reader, Node const& node, Key const& key, Selector& s
   reader.error(node, fmt::format("`{}` must be a selector, e.g. {}, not {}", key.name, cure, shown(node)));
 }
 
-namespace {
-
 std::string write_shape(Shape const& shape, void const* record) {
   std::vector<std::string> items;
   for (auto const& key : shape.keys)
     if (auto const value = key.write(record)) items.push_back(fmt::format("{} = {}", key.name, *value));
   return "{" + joined(items) + "}";
 }
-
-} // namespace
 
 std::string write_selector(Selector const& selector) {
   return write_shape(selector_shape(), &selector);

@@ -20,6 +20,10 @@ double applied_work(model::Model const& m, state::State const& s);
 /// The damping that is in force during the current stage.
 model::Stage const& current_stage(model::Model const& m, state::State const& s);
 
+/// Brings the nodes of supports and motions that begin with this step to rest: whatever they moved with they
+/// lose in an impact. Returns the work of it, -m v^2/2 [J]; zero in all other steps.
+double take_hold(model::Model const& m, state::State& s);
+
 /// What prescribing velocities changed beside u and v: the tet pass had integrated these nodes as free ones.
 struct MotionEffects {
   double work_done = 0;     ///< completes the work of the supports up to u_n [J]

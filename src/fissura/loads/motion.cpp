@@ -2,6 +2,7 @@
 
 #include "fissura/loads/curve.hpp"
 #include "fissura/loads/loads.hpp"
+#include "fissura/loads/path.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::loads {
@@ -15,6 +16,10 @@ constexpr std::size_t nodes_per_chunk = 512;
 
 /// Prescribed velocity at n + 1/2.
 double velocity_of(model::Prescribed const& p, Model const& m, State const& s) {
+  if (p.path >= 0) {
+    auto const i = static_cast<std::size_t>(p.path);
+    return p.scale * path_velocity(m.paths[i], s.paths[i], s.time + 0.5 * m.dt);
+  }
   if (p.is_velocity) return value_at(p.motion, s, s.time + 0.5 * m.dt);
   return (value_at(p.motion, s, s.time + m.dt) - value_at(p.motion, s, s.time)) / m.dt;
 }
@@ -60,6 +65,21 @@ NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep c
 }
 
 } // namespace
+
+double take_hold(Model const& m, State& s) {
+  double work = 0;
+  for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
+    auto const& p = m.prescribed[i];
+    if (s.held[i] || p.motion.stage > s.stage) continue;
+    s.held[i] = 1;
+    for (int const node : p.nodes) {
+      double& v = s.v[4 * node + p.axis];
+      work -= 0.5 * m.mass[node] * v * v;
+      v = s.prescribed_velocity[i];
+    }
+  }
+  return work;
+}
 
 MotionEffects move_supports(Model const& m, State& s, Vec3 gravity_mean) {
   auto const& stage = current_stage(m, s);

@@ -59,6 +59,7 @@ struct Curve {
   double over = 0;            ///< ramp: rise time [s], smooth (zero slope and curvature at both ends)
   std::vector<double> times;  ///< table: times [s], increasing; linear between
   std::vector<double> values; ///< table: values
+  std::vector<double> slopes; ///< table: if not empty, the slopes at its rows: cubic between, straight beyond
   std::vector<double> peaks;  ///< cycles: amplitudes; each is visited +, -, `repeats` times
   double period = 0;          ///< cycles: duration of one full cycle [s]
   int repeats = 1;
@@ -72,6 +73,7 @@ enum class JointLaw { energy_consistent, paper };
 enum class ShearStrength { mohr_coulomb, constant };
 enum class ElementSize { volume, joint_edge, given }; ///< the h of o_p = 2 h f_t/p
 enum class SofteningRange { exact, y3d };
+enum class RateFactor { none, mc2010 }; ///< how strengths grow with the strain rate
 
 struct ConcreteSpec {
   Place place;
@@ -97,6 +99,7 @@ struct ConcreteSpec {
   double cohesion = 0;                        ///< c [Pa]; 0 = f_c (1 - sin phi)/(2 cos phi)
   double f_s = 0;                             ///< [Pa] for ShearStrength::constant
   double friction = 0.6;                      ///< mu of the crack faces
+  RateFactor rate_factor = RateFactor::none;
 };
 
 /// Changes joints whose centroid lies in a region: notches, grips, layers near loads.
@@ -146,13 +149,50 @@ struct SupportSpec {
   Selector where;
   std::array<bool, 3> fix{false, false, false};
 };
-struct MotionSpec { ///< prescribed displacement or velocity of one component
+/// A motion to and fro whose turning points are readings of gauges (cyclic tests).
+struct PathSpec {
+  struct Target {
+    Place place;
+    std::string gauge;
+    double value = 0;    ///< in the unit of the gauge
+    std::string written; ///< with its unit, where it has one: the kind of the gauge says what unit is right
+  };
+  Place place;
+  std::string of;              ///< shares the path of this motion, instead of the following
+  double scale = 1;            ///< of the velocity, where the path is shared
+  double speed = 0, turn = 0;  ///< [m/s]; duration of a reversal [s]
+  std::vector<Target> targets; ///< visited in this order
+  bool stops = true;           ///< after the last one the run ends; else the motion comes to rest
+};
+/// A measured or made acceleration, in a text file.
+struct RecordSpec {
+  enum class Baseline { none, mean, linear, quadratic };
+  Place place;
+  std::string file;            ///< absolute or resolved against the deck's folder
+  bool allow_outside = false;  ///< the file may lie outside the deck's folder
+  int time_column = 1;         ///< from 1; 0 = none, evenly spaced by time_step
+  int acceleration_column = 2; ///< from 1
+  double time_step = 0;        ///< [s]
+  double unit = 1;             ///< m/s2 per unit of the file
+  double pga = 0;              ///< > 0: scaled to this largest |acceleration| [m/s2]
+  Baseline baseline = Baseline::none;
+  double start = 0; ///< the record begins this long after the stage [s]
+};
+struct MotionSpec { ///< prescribed motion of one component: by a curve, a path or a record
   Place place;
   std::string name, stage; ///< stage whose start is t = 0 of the curve; empty = start of the run
   Selector where;
   int axis = 0;
   bool is_velocity = false; ///< the curve is a velocity [m/s] instead of a displacement [m]
   Curve curve;
+  std::optional<PathSpec> path;
+  std::optional<RecordSpec> record;
+};
+/// Dashpots on boundary faces that let waves out.
+struct AbsorbingSpec {
+  Place place;
+  std::string name;
+  Selector where;
 };
 struct ForceSpec { ///< total force on the selected points, shared equally
   Place place;
@@ -243,6 +283,7 @@ struct Case {
   std::vector<MotionSpec> motions;
   std::vector<ForceSpec> forces;
   std::vector<TractionSpec> tractions;
+  std::vector<AbsorbingSpec> absorbing;
   GravitySpec gravity;
   std::vector<StageSpec> stages; ///< in order; empty = one stage "run" of end_time
   RunSpec run;

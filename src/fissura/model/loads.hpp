@@ -23,6 +23,22 @@ struct Prescribed {
   bool is_velocity = false;
   TimedCurve motion;
   std::vector<int> nodes; ///< all copies, ascending
+  int path = -1;          ///< follows `scale` times Model::paths[path] instead of the curve
+  double scale = 1;
+};
+
+/// A velocity to and fro that turns when gauges reach their targets.
+struct MotionPath {
+  struct Target {
+    int gauge = 0;    ///< index into Case::gauges
+    double value = 0; ///< in the unit of the gauge
+  };
+  std::string name; ///< of the motion that brought it
+  int stage = -1;   ///< begins with this stage
+  double speed = 0; ///< [m/s]
+  double turn = 0;  ///< duration of a reversal [s]
+  bool stops = true;
+  std::vector<Target> targets;
 };
 
 /// A force on corners of tets: pattern times curve.

@@ -27,6 +27,7 @@ struct Model {
   Bars bars;
 
   std::vector<Prescribed> prescribed;
+  std::vector<MotionPath> paths;
   std::vector<AppliedForce> forces;
   Gravity gravity;
   std::vector<Stage> stages;

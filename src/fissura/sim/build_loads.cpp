@@ -72,6 +72,34 @@ std::vector<int> nodes_at(Model const& m, Copies const& copies, model::Selector 
   return nodes;
 }
 
+int gauge_number(Model const& m, model::PathSpec::Target const& target) {
+  for (std::size_t i = 0; i < m.source.gauges.size(); ++i)
+    if (m.source.gauges[i].name == target.gauge) return static_cast<int>(i);
+  throw core::InputError(target.place, fmt::format("there is no [[gauge]] `{}`", target.gauge));
+}
+
+void build_paths(Model& m) {
+  for (auto const& s : m.source.motions) {
+    if (!s.path || !s.path->of.empty()) continue;
+    model::MotionPath path{
+        s.name, stage_number(m, s.stage, s.place), s.path->speed, s.path->turn, s.path->stops, {}};
+    for (auto const& target : s.path->targets)
+      path.targets.push_back({gauge_number(m, target), target.value});
+    m.paths.push_back(std::move(path));
+  }
+}
+
+/// The motion follows its own path, or that of the motion it names.
+void follow(Model const& m, model::MotionSpec const& s, model::Prescribed& p) {
+  auto const& owner = s.path->of.empty() ? s.name : s.path->of;
+  for (std::size_t i = 0; i < m.paths.size(); ++i)
+    if (m.paths[i].name == owner) p.path = static_cast<int>(i);
+  if (p.path < 0)
+    throw core::InputError(s.path->place, fmt::format("there is no [[motion]] `{}` with a path", owner));
+  p.motion.stage = m.paths[static_cast<std::size_t>(p.path)].stage;
+  p.scale = s.path->scale;
+}
+
 void build_prescribed(Model& m, Copies const& copies) {
   Owners owners;
   for (auto const& s : m.source.supports) {
@@ -87,6 +115,7 @@ void build_prescribed(Model& m, Copies const& copies) {
     for (int const n : nodes) owners.claim(n, s.axis, s.name, s.place);
     m.prescribed.push_back(
         {s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
+    if (s.path) follow(m, s, m.prescribed.back());
   }
 }
 
@@ -157,6 +186,7 @@ void build_forces(Model& m, Copies const& copies) {
 void build_loads(Model& m) {
   build_stages(m);
   Copies const copies(m.mesh);
+  build_paths(m);
   build_prescribed(m, copies);
   build_forces(m, copies);
   auto const& g = m.source.gravity;

@@ -242,6 +242,28 @@ double force_along(Model const& m, State const& s, Gauge const& g, double time) 
   return sum;
 }
 
+/// What can be read of u_n before the step moves on.
+double raw_state(Model const& m, State const& s, Gauge const& g) {
+  switch (g.spec.kind) {
+  case GaugeSpec::Kind::displacement:
+    return mean_component(s.u, g.nodes, g.spec.axis);
+  case GaugeSpec::Kind::velocity:
+    return mean_component(s.v, g.nodes, g.spec.axis);
+  case GaugeSpec::Kind::crack_width:
+    return crack_width(m, s, g);
+  default:
+    return mean_strain(m, s, g);
+  }
+}
+
+/// What the step has to find first.
+double raw_force(Model const& m, State const& s, Gauge const& g, double time) {
+  if (g.spec.kind == GaugeSpec::Kind::bar) return bar_reading(s, g);
+  double sum = force_along(m, s, g, time);
+  for (int const p : g.prescribed) sum += s.reaction[p];
+  return sum;
+}
+
 } // namespace
 
 Gauges::Gauges(Model const& m) {
@@ -271,48 +293,29 @@ int Gauges::find(std::string const& name) const {
   return -1;
 }
 
-void Gauges::store(std::size_t i, double raw, int stage) {
+void Gauges::store(std::size_t i, double raw) {
   auto const& g = gauges_[i];
-  if (g.zero_stage >= 0 && stage >= g.zero_stage && !zeroed_[i]) {
-    zero_[i] = raw;
-    zeroed_[i] = 1;
-  }
+  if (g.zero_stage == 0 && !zeroed_[i]) zero_[i] = raw, zeroed_[i] = 1;
   values_[i] = g.spec.factor * (raw - zero_[i]);
 }
 
-void Gauges::read_state(Model const& m, State const& s) {
+void Gauges::begin_stage(Model const& m, State const& s) {
   for (std::size_t i = 0; i < gauges_.size(); ++i) {
     auto const& g = gauges_[i];
-    if (g.reads_forces) continue;
-    switch (g.spec.kind) {
-    case GaugeSpec::Kind::displacement:
-      store(i, mean_component(s.u, g.nodes, g.spec.axis), s.stage);
-      break;
-    case GaugeSpec::Kind::velocity:
-      store(i, mean_component(s.v, g.nodes, g.spec.axis), s.stage);
-      break;
-    case GaugeSpec::Kind::crack_width:
-      store(i, crack_width(m, s, g), s.stage);
-      break;
-    default:
-      store(i, mean_strain(m, s, g), s.stage);
-      break;
-    }
+    if (g.zero_stage != s.stage) continue;
+    zero_[i] = g.reads_forces ? raw_force(m, s, g, s.time) : raw_state(m, s, g);
+    zeroed_[i] = 1;
   }
 }
 
+void Gauges::read_state(Model const& m, State const& s) {
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    if (!gauges_[i].reads_forces) store(i, raw_state(m, s, gauges_[i]));
+}
+
 void Gauges::read_forces(Model const& m, State const& s, double time) {
-  for (std::size_t i = 0; i < gauges_.size(); ++i) {
-    auto const& g = gauges_[i];
-    if (!g.reads_forces) continue;
-    if (g.spec.kind == GaugeSpec::Kind::bar) {
-      store(i, bar_reading(s, g), s.stage);
-      continue;
-    }
-    double sum = force_along(m, s, g, time);
-    for (int const p : g.prescribed) sum += s.reaction[p];
-    store(i, sum, s.stage);
-  }
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    if (gauges_[i].reads_forces) store(i, raw_force(m, s, gauges_[i], time));
 }
 
 } // namespace fissura::sim

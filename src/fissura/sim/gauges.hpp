@@ -43,12 +43,14 @@ class Gauges {
   void read_state(model::Model const& m, state::State const& s);
   /// Reactions and forces at u_n: after the step has found them. `time` is that of u_n.
   void read_forces(model::Model const& m, state::State const& s, double time);
-  /// The last readings, factor and zero applied: the first reading of a stage is the zero of gauges that name
-  /// it.
+  /// Takes the present readings as the zero of the gauges that name the stage that has just begun. (For the
+  /// first stage the zero is the first reading.)
+  void begin_stage(model::Model const& m, state::State const& s);
+  /// The last readings, factor and zero applied.
   std::vector<double> const& values() const { return values_; }
 
  private:
-  void store(std::size_t i, double raw, int stage);
+  void store(std::size_t i, double raw);
   std::vector<Gauge> gauges_;
   std::vector<double> zero_, values_;
   std::vector<char> zeroed_;

@@ -8,6 +8,7 @@
 
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/loads/curve.hpp"
+#include "fissura/loads/path.hpp"
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/output/json.hpp"
 #include "fissura/parallel/parallel.hpp"
@@ -157,11 +158,13 @@ class Run {
       bool const row = history_due_.at(time), frame = frame_due_.at(time) && !options_.out.empty();
       bool const beat = s_.step % m_.source.run.energy_every == 0, reading = row || beat;
       if (frame) fields_->write(m_, s_), frame_due_.done(time);
-      if (row) gauges_.read_state(m_, s_);
+      bool const steering = beat && !m_.paths.empty(); // never on rows: output settings change no result
+      if (row || steering) gauges_.read_state(m_, s_);
       step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
       if (!reading) continue;
       if (auto const trouble = monitor_.take(energy_, m_, s_))
         throw core::Error(core::Failure::run, *trouble);
+      if (row || steering) gauges_.read_forces(m_, s_, time);
       if (row) {
         write_row(time);
         history_due_.done(time);
@@ -170,22 +173,45 @@ class Run {
           return;
         }
       }
+      if (steering && follow_paths(result)) return;
       if (beat) change_stage(); // on a beat of its own, so that output settings change no result
       show_progress();
     }
   }
 
-  void write_row(double time) {
-    gauges_.read_forces(m_, s_, time);
-    history_->row(time, m_, s_, gauges_, energy_, monitor_);
+  /// Turns the paths whose gauges have reached their targets; true once a path has reached its last one and
+  /// says that this ends the run.
+  bool follow_paths(RunResult& result) {
+    for (std::size_t i = 0; i < m_.paths.size(); ++i) {
+      auto const& path = m_.paths[i];
+      if (path.stage > s_.stage || loads::path_ended(path, s_.paths[i])) continue;
+      int const reached = loads::follow_path(path, s_.paths[i], s_.time, gauges_.values());
+      for (int k = s_.paths[i].target - reached; k < s_.paths[i].target; ++k)
+        log_->info("t = {:.5g} s: {}", s_.time, describe_target(path, k));
+      if (!path.stops || !loads::path_ended(path, s_.paths[i])) continue;
+      result.reason = describe_target(path, s_.paths[i].target - 1);
+      return true;
+    }
+    return false;
   }
+
+  std::string describe_target(model::MotionPath const& path, int k) const {
+    auto const& target = path.targets[static_cast<std::size_t>(k)];
+    auto const gauge = static_cast<std::size_t>(target.gauge);
+    return fmt::format("path of `{}`: target {} of {} reached, {} = {:.6g} for {:.6g}", path.name, k + 1,
+                       path.targets.size(), m_.source.gauges[gauge].name, gauges_.values()[gauge],
+                       target.value);
+  }
+
+  void write_row(double time) { history_->row(time, m_, s_, gauges_, energy_, monitor_); }
 
   /// The next stage begins when the present one is over or has settled.
   void change_stage() {
     auto const& stage = m_.stages[s_.stage];
     double const since = s_.time - s_.stage_start[s_.stage];
     bool const quiet = stage.settle > 0 && energy_.internal() > 0 &&
-                       energy_.kinetic < stage.settle * energy_.internal() && monitor_.last_imbalance() < 0.05;
+                       energy_.kinetic < stage.settle * energy_.internal() &&
+                       monitor_.last_imbalance() < 0.05;
     settled_ = quiet && !loads_change() ? settled_ + 1 : 0;
     if (since < stage.duration && settled_ < 3) return;
     if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
@@ -195,6 +221,7 @@ class Run {
     settled_ = 0;
     ++s_.stage;
     s_.stage_start[s_.stage] = s_.time;
+    gauges_.begin_stage(m_, s_);
     end_with_the_last_stage();
     log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
   }
@@ -209,6 +236,8 @@ class Run {
     for (std::size_t i = 0; i < m_.prescribed.size(); ++i)
       any |= changes(m_.prescribed[i].motion) ||
              (m_.prescribed[i].is_velocity && s_.prescribed_velocity[i] != 0);
+    for (std::size_t i = 0; i < m_.paths.size(); ++i)
+      any |= m_.paths[i].stage <= s_.stage && !loads::path_ended(m_.paths[i], s_.paths[i]);
     for (auto const& f : m_.forces) any |= changes(f.curve);
     return any;
   }

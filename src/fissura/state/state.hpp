@@ -22,6 +22,16 @@ struct JointHistory {
   double time_of_failure = 0;                   ///< [s]; 0 = not failed
 };
 
+/// Where a MotionPath is: which target it is on its way to, and its last turn.
+struct PathState {
+  int target = -1;         ///< -1 = not begun; as many as there are targets: all reached
+  bool rising = false;     ///< the gauge is to rise to the target
+  double turned_at = 0;    ///< [s]
+  double velocity = 0;     ///< when the turn began [m/s]
+  double acceleration = 0; ///< when the turn began [m/s2]
+  double toward = 0;       ///< velocity after the turn [m/s]
+};
+
 /// The accounts of the energy ledger [J]. Work is put in, everything else is where it went.
 struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
@@ -43,6 +53,8 @@ struct State {
   BarState bars;
   std::vector<double> reaction;            ///< per Prescribed: sum of reactions at step n [N]
   std::vector<double> prescribed_velocity; ///< per Prescribed: at n - 1/2 [m/s]
+  std::vector<std::uint8_t> held;          ///< per Prescribed: has begun
+  std::vector<PathState> paths;            ///< per MotionPath
   std::vector<double> stage_start;         ///< actual start time of each stage (a stage may end early) [s]
   Ledger ledger;
 };
@@ -50,8 +62,8 @@ struct State {
 /// Sums over chunks of tets that one step leaves behind.
 struct TetSums {
   double viscous = 0, local_damping = 0; ///< [J] dissipated in this step
-  double gravity = 0;                                      ///< [J] work of gravity over u_n -> u_(n+1)
-  double kinetic = 0;                                      ///< [J] at step n
+  double gravity = 0;                    ///< [J] work of gravity over u_n -> u_(n+1)
+  double kinetic = 0;                    ///< [J] at step n
 };
 
 struct Scratch {

@@ -16,7 +16,7 @@ namespace {
 
 /// Closes the accounts of u_n for a reading, then books the work over u_n -> u_(n+1).
 void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::MotionEffects const& motion,
-                 EnergyBalance* reading) {
+                 double impact, EnergyBalance* reading) {
   auto& l = s.ledger;
   auto put_in = [&](double& account, double work) {
     account += work;
@@ -25,9 +25,11 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::Mo
   l.viscous += sums.viscous;
   double const kinetic = sums.kinetic + motion.kinetic;
   // c m v^2 by the trapezoidal rule over u_(n-1) -> u_n
-  if (s.step > 0) l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic);
+  if (s.step > 0)
+    l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic);
   l.kinetic_before = kinetic;
   l.local_damping += sums.local_damping + motion.local_damping;
+  put_in(l.work_supports, impact);
   put_in(l.work_supports, motion.work_done);
   if (reading) {
     reading->kinetic = kinetic;
@@ -41,6 +43,7 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::Mo
 } // namespace
 
 void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
+  double const impact = loads::take_hold(m, s); // where supports and motions begin
   Vec3 const gravity = loads::gravity_at(m, s, s.time);
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
 
@@ -54,7 +57,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean);
   auto const motion = loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
-  post_energy(m, s, sums, motion, reading);
+  post_energy(m, s, sums, motion, impact, reading);
 
   s.step += 1;
   s.time = static_cast<double>(s.step) * m.dt;
@@ -70,6 +73,8 @@ State make_state(Model const& m) {
   s.bars = rebar::make_bar_state(m.bars);
   s.reaction.assign(m.prescribed.size(), 0);
   s.prescribed_velocity.assign(m.prescribed.size(), 0);
+  s.held.assign(m.prescribed.size(), 0);
+  s.paths.resize(m.paths.size());
   s.stage_start.assign(m.stages.size(), 0);
   s.ledger.start = read_stored(m, s).held();
   return s;

@@ -319,6 +319,48 @@ TEST(Deck, EchoRoundTrips) {
   }
 }
 
+// Targets of a path are read in the unit of their gauge, whose section may come later; the echo keeps them.
+TEST(Deck, ReadsPaths) {
+  std::string const text = std::string(small) + R"(
+[[motion]]
+name = "right"
+where = {plane = "x", at = "1 m"}
+axis = "x"
+path = {speed = "0.1 m/s", turn = "5 ms", then = "rest", to = [{gauge = "strain", value = 0.002}, {gauge = "force", value = "3 kN"}]}
+[[motion]]
+where = {plane = "x", at = "0 m"}
+axis = "x"
+path = {of = "right", scale = -1}
+[[gauge]]
+name = "strain"
+kind = "mean_strain"
+line = [["0 m", "0 m", "0 m"], ["1 m", "0 m", "0 m"]]
+[[gauge]]
+name = "force"
+kind = "reaction"
+of = ["right"]
+axis = "x"
+)";
+  auto const first = read_case_text(text, "case.toml");
+  std::string const echoed = deck::echo(first);
+  auto const second = read_case_text(echoed, "echo.toml");
+  EXPECT_EQ(deck::echo(second), echoed);
+  for (auto const& c : {first, second}) {
+    ASSERT_EQ(c.motions.size(), 2U);
+    ASSERT_TRUE(c.motions[0].path && c.motions[1].path);
+    auto const& path = *c.motions[0].path;
+    EXPECT_EQ(path.speed, 0.1);
+    EXPECT_EQ(path.turn, 5e-3);
+    EXPECT_FALSE(path.stops);
+    ASSERT_EQ(path.targets.size(), 2U);
+    EXPECT_EQ(path.targets[0].value, 0.002);
+    EXPECT_EQ(path.targets[1].gauge, "force");
+    EXPECT_EQ(path.targets[1].value, 3000);
+    EXPECT_EQ(c.motions[1].path->of, "right");
+    EXPECT_EQ(c.motions[1].path->scale, -1);
+  }
+}
+
 // The echo names every default that the deck left unsaid.
 TEST(Deck, EchoHoldsTheDefaults) {
   std::string const text = deck::echo(read_case_text(small, "case.toml"));

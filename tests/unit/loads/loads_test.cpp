@@ -25,6 +25,7 @@ struct Cell {
     m.prescribed.push_back({std::move(name), axis, is_velocity, {std::move(curve), -1}, std::move(nodes)});
     s.reaction.push_back(0);
     s.prescribed_velocity.push_back(0);
+    s.held.push_back(0);
   }
 };
 
@@ -118,6 +119,23 @@ TEST(MoveSupports, motions_are_met) {
     EXPECT_NEAR(c.s.u[4 * 2 + 1], 0.5 * c.s.time, 1e-15);
   }
   EXPECT_NEAR(c.s.u[0], 1e-3, 1e-15);
+}
+
+// Requirement: where a motion begins on moving nodes they lose their speed along it at once, once, and the
+// work of that impact is what their kinetic energy falls by.
+TEST(MoveSupports, a_late_start_is_an_impact) {
+  Cell c;
+  c.prescribe("catch", 1, constant(0), true, {2, 7});
+  c.m.prescribed[0].motion.stage = 1;
+  for (int const n : {2, 7}) c.s.v[4 * n + 1] = 3, c.s.v[4 * n] = 5;
+  EXPECT_EQ(take_hold(c.m, c.s), 0);
+  EXPECT_EQ(c.s.v[4 * 2 + 1], 3);
+  c.s.stage = 1;
+  EXPECT_NEAR(take_hold(c.m, c.s), -0.5 * (c.m.mass[2] + c.m.mass[7]) * 9, 1e-12);
+  EXPECT_EQ(c.s.v[4 * 2 + 1], 0);
+  EXPECT_EQ(c.s.v[4 * 2], 5);
+  c.s.v[4 * 2 + 1] = 3;
+  EXPECT_EQ(take_hold(c.m, c.s), 0);
 }
 
 // Requirement: the work of a motion is the mean of the reactions before and after times the way, in two

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "fissura/sim/run.hpp"
@@ -356,6 +357,89 @@ TEST(Stages, an_end_time_in_the_deck_holds) {
   TemporaryFolder const folder;
   sim::run_case(c, options_for(folder / "run"));
   EXPECT_NEAR(summary(folder / "run")["time"].get<double>(), 1e-2, 1e-4);
+}
+
+/// A bonded prism pulled at both ends to 1e-5 of mean strain, back to zero force, and to 2e-5.
+model::Case pulled_to_and_fro() {
+  auto c = box_case({4, 1, 1}, {0.4, 0.1, 0.1}, 1);
+  c.concretes[0].joints = false;
+  c.run.energy_every = 10;
+  c.supports = {support_at("guide", plane(1, 0), {false, true, false})};
+  auto right = motion_at("right", plane(0, 0.4), 0, {}, true),
+       left = motion_at("left", plane(0, 0), 0, {}, true);
+  right.path.emplace();
+  right.path->speed = 2e-3, right.path->turn = 1e-3;
+  right.path->targets = {{{}, "strain", 1e-5, ""}, {{}, "force", 0, ""}, {{}, "strain", 2e-5, ""}};
+  left.path.emplace();
+  left.path->of = "right", left.path->scale = -1;
+  c.motions = {right, left};
+  auto strain = gauge("strain", model::GaugeSpec::Kind::mean_strain);
+  strain.to = {0.4, 0, 0};
+  auto force = gauge("force", model::GaugeSpec::Kind::reaction);
+  force.of = {"right"};
+  c.gauges = {strain, force};
+  c.output.frames = 1;
+  c.output.history_every = 2e-5;
+  return c;
+}
+
+// Requirement: a path turns at its targets (within the overshoot of its turn and one beat), both ends pull
+// alike, and the run is complete after the last target and says so.
+TEST(Paths, follow_their_gauges) {
+  TemporaryFolder const folder;
+  auto const result = sim::run_case(pulled_to_and_fro(), options_for(folder / "run"));
+  EXPECT_EQ(result.status, "complete");
+  EXPECT_EQ(result.reason.find("path of `right`: target 3 of 3 reached, strain = "), 0U) << result.reason;
+  auto const lines = lines_of(folder / "run/history.csv");
+  auto const strain = column(lines, "strain [-]"), force = column(lines, "force [N]"),
+             left = column(lines, "reaction_left_x [N]");
+  std::vector<double> turning;
+  for (std::size_t i = 1; i + 1 < strain.size(); ++i)
+    if ((strain[i] - strain[i - 1]) * (strain[i + 1] - strain[i]) < 0) turning.push_back(strain[i]);
+  double const over = 2 * 2e-3 * (0.35 * 1e-3 + 1e-4) / 0.4, ripple = 0.03 * 2e-5; // of the force, see below
+  ASSERT_EQ(turning.size(), 2U);
+  EXPECT_NEAR(turning[0], 1e-5 + 0.5 * over, 0.5 * over);
+  EXPECT_NEAR(turning[1], -0.5 * over, 0.5 * over + ripple);
+  double const stiffness = plain_concrete().E * 0.01;
+  for (std::size_t i = 0; i < strain.size(); ++i) {
+    EXPECT_NEAR(force[i], stiffness * strain[i], stiffness * ripple);
+    EXPECT_NEAR(force[i], -left[i], 1e-3 * stiffness * 2e-5); // the cells are not mirrored
+  }
+}
+
+// Requirement: output settings change no result of a run that is steered by gauges, to the last bit, with a
+// gauge that is zeroed at a stage among them.
+TEST(Paths, do_not_depend_on_output) {
+  auto c = pulled_to_and_fro();
+  model::StageSpec wait, pull;
+  wait.name = "wait", wait.duration = 1e-4;
+  pull.name = "pull", pull.duration = 1;
+  c.stages = {wait, pull};
+  c.run.end_time = 0;
+  c.motions[0].stage = "pull";
+  c.gauges[0].zero_at = "pull";
+  TemporaryFolder const folder;
+  std::vector<std::string> hashes;
+  for (double const every : {2e-5, 3.3e-4}) {
+    c.output.history_every = every;
+    auto const run = folder / fmt::format("run{}", hashes.size());
+    sim::run_case(c, options_for(run));
+    hashes.push_back(summary(run)["state_hash"].get<std::string>());
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// Requirement: a path that is told to rest holds its last position while the run goes on.
+TEST(Paths, may_come_to_rest) {
+  auto c = pulled_to_and_fro();
+  c.motions[0].path->stops = false;
+  c.run.end_time = 0.02;
+  TemporaryFolder const folder;
+  auto const result = sim::run_case(c, options_for(folder / "run"));
+  EXPECT_EQ(result.reason, "end time reached");
+  auto const strain = column(lines_of(folder / "run/history.csv"), "strain [-]");
+  EXPECT_NEAR(strain.back(), 2e-5, 2 * 2e-3 * (0.7 * 1e-3 + 1e-4) / 0.4);
+  EXPECT_NEAR(strain.back(), strain[strain.size() - 20], 1e-12);
 }
 
 } // namespace
