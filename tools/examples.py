@@ -17,7 +17,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import figures
 import picture
+from figure_parts import shrink
 from fissura_io import BadFile, History, read_pvd
+from verify_page import figure_file
 from verify_runs import EXAMPLES, ROOT, RunFailed, Runs
 
 ROWS = 60
@@ -28,7 +30,7 @@ COUNTS = ("joints_damaged", "joints_broken", "bar_joints_yielded", "bars_broken"
 class Example:
     run: str                   # name in verify_runs.all_runs(): the deck as it stands
     columns: tuple             # of the history; the counts are added
-    figure: int = 0            # picture.png is this figure of the paper, or
+    figure: int | str = 0      # picture.png is this figure, or
     cracks_before: str = ""    # the cracks in the last frame before this count leaves 0 ("" = the last frame)
     tolerance: float = 0.02    # of a column's range, for the mean difference; the scatter of cracking runs
 
@@ -78,7 +80,7 @@ def differences(example, run, path):
 
 def write_picture(example, run, runs, name, path):
     if example.figure:
-        drawn = ROOT / "docs" / "verification" / "figures" / f"fig{example.figure}.png"
+        drawn = ROOT / "docs" / "verification" / "figures" / figure_file(example.figure)
         if not drawn.exists():
             figures.FIGURES[example.figure][0](runs, drawn)
         shutil.copyfile(drawn, path)
@@ -90,7 +92,7 @@ def write_picture(example, run, runs, name, path):
             times = [t for t in times if t < run.history["time"].values[broken[0]]]
     moment, scene = picture.make_scene(run, times[-1], "auto", 0.5)
     picture.draw(scene, moment, name, 2, path)
-    figures.shrink(path)
+    shrink(path)
 
 
 def main():

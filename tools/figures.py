@@ -1,54 +1,24 @@
 #!/usr/bin/python3
-"""Draws the founding paper's figures from runs, named by the paper's numbers, with theory and the paper's values beside.
+"""Draws figures from runs, with theory, tests and the paper's values beside: the founding paper's under its numbers, others under
+names.
 
     figures.py --program build/fissura              those of the short runs, and of long ones that are there
     figures.py --program build/fissura --long       all: makes the long runs too
-    figures.py --only 21 --only 22                  some
+    figures.py --only 21 --only l_panel             some
 """
 import argparse
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
-from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import picture
 import verify_measures as measure
+from figure_parts import THEORY, axes_of, crack_pictures, save, wide
 from fissura_io import BadFile, read_pvd
+from verify_page import figure_file
 from verify_runs import ROOT, RunFailed, Runs
-
-THEORY = {"color": "black", "lw": 1.0, "ls": "--"}
-
-
-def axes_of(xlabel, ylabel, size=(7, 4.5)):
-    figure, axes = plt.subplots(figsize=size, dpi=130)
-    axes.set_xlabel(xlabel)
-    axes.set_ylabel(ylabel)
-    axes.grid(alpha=0.3)
-    return figure, axes
-
-
-def shrink(out):
-    """A palette of 256 colours instead of 16 million: these files are kept in the repository."""
-    with Image.open(out) as image:
-        small = image.convert("RGB").quantize(256, dither=Image.Dither.NONE)
-    small.save(out, optimize=True)
-
-
-def save(figure, axes, title, out):
-    axes.set_title(title, fontsize=11)
-    axes.legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(out)
-    plt.close(figure)
-    shrink(out)
 
 
 def pull(axes, runs, curves, stiffness):
@@ -131,41 +101,6 @@ def fig21(runs, out):
     inset.tick_params(labelsize=7)
     inset.set_title("up to yield; dashed: the bare bar", fontsize=7)
     save(figure, axes, "Figure 21: tie to failure, four meshes", out)
-
-
-def crack_pictures(scenes, titles, heading, out):
-    """Side views one below the other with one scale of colours."""
-    opening = np.concatenate([s.opening for s in scenes])
-    crack_norm = Normalize(0, max(np.percentile(opening, 99) if opening.size else 1, 1e-9))
-    stress = np.concatenate([s.stress for s in scenes])
-    bar_norm = Normalize(min(0.0, stress.min()), stress.max()) if stress.size else None
-    camera = picture.side_camera(scenes[0].body, 2)
-    width = 10.0
-    heights = [width * s[1] / s[0] + 0.35 for s in (picture.size_of(scene, camera) for scene in scenes)]
-    total = sum(heights) + 1.3
-    figure = plt.figure(figsize=(width, total), dpi=110)
-    top = total - 0.45
-    for scene, title, height in zip(scenes, titles, heights):
-        top -= height
-        axes = figure.add_axes([0.01, top / total, 0.98, (height - 0.3) / total])
-        picture.paint(axes, scene, camera, crack_norm, bar_norm, True)
-        figure.text(0.02, (top + height - 0.22) / total, title, fontsize=9)
-    for i, (norm, colours, text) in enumerate([(crack_norm, picture.CRACKS, "crack opening [mm]"),
-                                               (bar_norm, picture.BARS, "bar stress [MPa]")]):
-        if norm is not None:
-            place = figure.add_axes([0.06 + 0.5 * i, 0.5 / total, 0.38, 0.14 / total])
-            figure.colorbar(ScalarMappable(norm, colours), cax=place, orientation="horizontal", label=text)
-    figure.text(0.5, 1 - 0.28 / total, heading, ha="center")
-    figure.savefig(out)
-    plt.close(figure)
-    shrink(out)
-
-
-def wide(scene, least):
-    """Only the cracks that are open by at least so many millimetres: the hairline ones along the bar hide the others."""
-    shown = scene.opening >= least
-    scene.cracks, scene.opening = scene.cracks[shown], scene.opening[shown]
-    return scene
 
 
 def fig22(runs, out):
@@ -267,11 +202,12 @@ FIGURES = {13: (fig13, ("prism_A", "prism_B", "prism_A_20", "prism_B_20")),
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Draws the founding paper's figures from runs.")
+    parser = argparse.ArgumentParser(description="Draws the figures of the verification page from runs.")
     parser.add_argument("--program", default=str(ROOT / "build" / "fissura"))
     parser.add_argument("--runs", default=str(ROOT / "build" / "verify"))
     parser.add_argument("--out", default=str(ROOT / "docs" / "verification" / "figures"))
-    parser.add_argument("--only", type=int, action="append", choices=FIGURES, metavar="N", help="this figure only")
+    parser.add_argument("--only", action="append", choices=FIGURES, metavar="N", type=lambda n: int(n) if n.isdigit() else n,
+                        help="this figure only: a number of the paper, or a name")
     parser.add_argument("--long", action="store_true", help="also make the long runs")
     parser.add_argument("--cached", action="store_true", help="make no runs")
     parser.add_argument("--jobs", type=int, default=0)
@@ -284,7 +220,7 @@ def main():
     runs.failed.update({name: f"{name} takes long: add --long" for name in dear if not runs.is_cached(name)})
     Path(arguments.out).mkdir(parents=True, exist_ok=True)
     for number in chosen:
-        out = Path(arguments.out) / f"fig{number}.png"
+        out = Path(arguments.out) / figure_file(number)
         try:
             FIGURES[number][0](runs, out)
             print(f"figure {number}: {out}")

@@ -17,6 +17,16 @@ are reconstructed, and each [example](../../examples) says which.
 """
 
 
+def figure_file(name):
+    """fig13.png for the paper's figure 13, l_panel.png for one of our own."""
+    return f"fig{name}.png" if str(name)[0].isdigit() else f"{name}.png"
+
+
+def figure_title(name):
+    title = str(name).replace("_", ", " if str(name)[0].isdigit() else " ")
+    return f"Figure {title}" if title[0].isdigit() else title.capitalize()
+
+
 def shown(text):
     return "" if text in ("nan", "inf") else text
 
@@ -36,7 +46,7 @@ def write_page(path, rows, checks):
             lines.append(f"| {row[1]} | {check.paper} | {shown(row[2])} | {shown(row[3])} | {shown(row[4])} | {within} |")
         lines.append("")
         for number in case.figures:
-            if (Path(path).parent / "figures" / f"fig{number}.png").exists():
-                lines += [f"![Figure {str(number).replace('_', ', ')}](figures/fig{number}.png)", ""]
+            if (Path(path).parent / "figures" / figure_file(number)).exists():
+                lines += [f"![{figure_title(number)}](figures/{figure_file(number)})", ""]
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     Path(path).write_text("\n".join(lines), encoding="utf-8")
