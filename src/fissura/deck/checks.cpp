@@ -67,6 +67,7 @@ void check_names(Reader& reader) {
   check_unique(reader, c.stages);
   check_unique(reader, c.supports, c.motions);
   check_unique(reader, c.forces, c.tractions);
+  check_unique(reader, c.planes, c.impactors);
   check_unique(reader, c.gauges);
 }
 
@@ -113,7 +114,8 @@ void check_gauges(Reader& reader) {
   using Kind = model::GaugeSpec::Kind;
   auto const& c = reader.the_case;
   Names const held = names_of(c.supports, c.motions), loads = names_of(c.forces, c.tractions),
-              stages = names_of(c.stages);
+              stages = names_of(c.stages), bodies = names_of(c.planes, c.impactors),
+              impactors = names_of(c.impactors);
   for (auto const& gauge : c.gauges) {
     check_reference(reader, &gauge, "zero_at", gauge.zero_at, stages, "[[stage]]");
     if (gauge.kind == Kind::bar) check_bar_gauge(reader, gauge);
@@ -122,6 +124,10 @@ void check_gauges(Reader& reader) {
         check_reference(reader, &gauge, "of", name, held, "[[support]] or [[motion]]");
       if (gauge.kind == Kind::force)
         check_reference(reader, &gauge, "of", name, loads, "[[force]] or [[traction]]");
+      if (gauge.kind == Kind::contact_force || gauge.kind == Kind::contact_impulse)
+        check_reference(reader, &gauge, "of", name, bodies, "[[plane]] or [[impactor]]");
+      if (gauge.kind == Kind::impactor_displacement || gauge.kind == Kind::impactor_velocity)
+        check_reference(reader, &gauge, "of", name, impactors, "[[impactor]]");
     }
   }
   for (auto const& stop : c.stops)
@@ -211,6 +217,8 @@ void name_the_unnamed(model::Case& c) {
   name_them(c.motions, "motion");
   name_them(c.forces, "force");
   name_them(c.tractions, "traction");
+  name_them(c.planes, "plane");
+  name_them(c.impactors, "impactor");
 }
 
 void check_case(Reader& reader) {

@@ -53,9 +53,14 @@ template <class T> class Fields {
                   read_direction, write_direction);
   }
   Fields& point(std::string name, Vec3 T::*field, std::string doc) {
-    simple(std::move(name), "three lengths", std::move(doc), field, read_quantities,
-           [](Vec3 v) { return write_quantities(v, Dimension::length); });
-    return of(Dimension::length);
+    return vector(std::move(name), field, Dimension::length, std::move(doc), "three lengths");
+  }
+  Fields& vector(std::string name, Vec3 T::*field, Dimension dimension, std::string doc,
+                 std::string type = {}) {
+    if (type.empty()) type = fmt::format("three times {}", units::info(dimension).noun);
+    simple(std::move(name), std::move(type), std::move(doc), field, read_quantities,
+           [dimension](Vec3 v) { return write_quantities(v, dimension); });
+    return of(dimension);
   }
   Fields& texts(std::string name, std::vector<std::string> T::*field, std::string doc) {
     return simple(std::move(name), "an array of names", std::move(doc), field, read_texts, write_texts)

@@ -15,13 +15,18 @@ using Written = std::optional<std::string>;
 using units::Dimension;
 
 std::vector<std::pair<std::string_view, Kind>> const& kinds() {
-  static std::vector<std::pair<std::string_view, Kind>> const words{{"displacement", Kind::displacement},
-                                                                    {"velocity", Kind::velocity},
-                                                                    {"reaction", Kind::reaction},
-                                                                    {"force", Kind::force},
-                                                                    {"bar", Kind::bar},
-                                                                    {"crack_width", Kind::crack_width},
-                                                                    {"mean_strain", Kind::mean_strain}};
+  static std::vector<std::pair<std::string_view, Kind>> const words{
+      {"displacement", Kind::displacement},
+      {"velocity", Kind::velocity},
+      {"reaction", Kind::reaction},
+      {"force", Kind::force},
+      {"bar", Kind::bar},
+      {"crack_width", Kind::crack_width},
+      {"mean_strain", Kind::mean_strain},
+      {"contact_force", Kind::contact_force},
+      {"contact_impulse", Kind::contact_impulse},
+      {"impactor_displacement", Kind::impactor_displacement},
+      {"impactor_velocity", Kind::impactor_velocity}};
   return words;
 }
 
@@ -36,8 +41,14 @@ struct Use {
 std::vector<Use> const& uses() {
   static std::vector<Use> const table{
       {"where", {Kind::displacement, Kind::velocity}, {}},
-      {"axis", {Kind::displacement, Kind::velocity, Kind::reaction}, {Kind::force}},
-      {"of", {Kind::reaction, Kind::force}, {}},
+      {"axis",
+       {Kind::displacement, Kind::velocity, Kind::reaction, Kind::contact_force, Kind::contact_impulse,
+        Kind::impactor_displacement, Kind::impactor_velocity},
+       {Kind::force}},
+      {"of",
+       {Kind::reaction, Kind::force, Kind::contact_force, Kind::contact_impulse, Kind::impactor_displacement,
+        Kind::impactor_velocity},
+       {}},
       {"bar", {Kind::bar}, {}},
       {"at", {Kind::bar}, {}},
       {"copy", {}, {Kind::bar}},
@@ -95,7 +106,8 @@ Section gauge_section() {
       "gauge", &model::Case::gauges,
       "A column of history.csv. Its kind says which keys it needs: `displacement`, `velocity`: `where`, "
       "`axis`; "
-      "`reaction`: `of`, `axis`; `force`: `of`; `bar`: `bar`, `at`; `crack_width`, `mean_strain`: `line`.");
+      "`reaction`: `of`, `axis`; `force`: `of`; `bar`: `bar`, `at`; `crack_width`, `mean_strain`: `line`; "
+      "`contact_force`, `contact_impulse`, `impactor_displacement`, `impactor_velocity`: `of`, `axis`.");
   s.finish = finish_gauge;
   auto const if_used = [](std::string_view key) {
     return [key](GaugeSpec const& g) { return used(key, g.kind); };
@@ -104,14 +116,18 @@ Section gauge_section() {
   f.name("name", &GaugeSpec::name, "Head of the column; stops refer to it.").required();
   f.word("kind", &GaugeSpec::kind, kinds(),
          "What is measured. `crack_width`: sum of the openings along the line; `mean_strain`: elongation of "
-         "the line over its length.")
+         "the line over its length; `contact_force`: of rigid bodies on the concrete; `contact_impulse`: its "
+         "integral over time.")
       .required();
   f.selector("where", &GaugeSpec::where, "Nodes; the mean of their values is read.")
       .default_is("none")
       .echoed_if(if_used("where"));
   f.axis("axis", &GaugeSpec::axis, "The component.").echoed_if(if_used("axis"));
-  f.texts("of", &GaugeSpec::of,
-          "Supports and motions (`reaction`), forces and tractions (`force`): their sum is read.");
+  f.texts(
+      "of", &GaugeSpec::of,
+      "Supports and motions (`reaction`), forces and tractions (`force`), planes and impactors "
+      "(`contact_force`, "
+      "`contact_impulse`): their sum is read. `impactor_displacement`, `impactor_velocity`: one impactor.");
   f.name("bar", &GaugeSpec::bar, "Name of the bar.");
   f.integer("copy", &GaugeSpec::copy, "Which of its `count` copies, from 0.").echoed_if(if_used("copy"));
   f.custom("quantity", listed(bar_quantities),
@@ -201,12 +217,17 @@ Dimension dimension_of(GaugeSpec const& gauge) {
   switch (gauge.kind) {
   case Kind::displacement:
   case Kind::crack_width:
+  case Kind::impactor_displacement:
     return Dimension::length;
   case Kind::velocity:
+  case Kind::impactor_velocity:
     return Dimension::velocity;
   case Kind::reaction:
   case Kind::force:
+  case Kind::contact_force:
     return Dimension::force;
+  case Kind::contact_impulse:
+    return Dimension::impulse;
   case Kind::mean_strain:
     return Dimension::none;
   case Kind::bar:

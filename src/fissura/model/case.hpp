@@ -217,6 +217,33 @@ struct GravitySpec {
   Curve curve; ///< [m/s2]
 };
 
+// ---- rigid bodies, bodies in motion
+struct PlaneSpec { ///< a rigid half space that never moves
+  Place place;
+  std::string name;
+  Vec3 point;            ///< of its surface [m]
+  Vec3 normal;           ///< out of the rigid half space, into the free one
+  double friction = 0.6; ///< mu
+};
+struct ImpactorSpec { ///< a rigid body that moves without turning
+  enum class Shape { sphere, cylinder, box };
+  Place place;
+  std::string name;
+  Shape shape = Shape::sphere;
+  Vec3 centre;           ///< sphere [m]
+  Vec3 from, to;         ///< cylinder: ends of its axis; box: opposite corners [m]
+  double radius = 0;     ///< sphere, cylinder [m]
+  double mass = 0;       ///< [kg]
+  Vec3 velocity;         ///< at t = 0 [m/s]
+  double friction = 0.6; ///< mu
+  std::array<bool, 3> moves{true, true, true}; ///< false: a guide holds this component
+};
+struct InitialVelocitySpec {
+  Place place;
+  Selector where; ///< tets by centroid; kinds plane, point, line: nodes
+  Vec3 velocity;  ///< [m/s]
+};
+
 // ---- run
 // -------------------------------------------------------------------------------------------------------
 struct StageSpec {
@@ -240,13 +267,26 @@ struct RunSpec {
   double residual_warn = 0.01, residual_stop = 0.05;
 };
 struct GaugeSpec {
-  enum class Kind { displacement, velocity, reaction, force, bar, crack_width, mean_strain };
+  enum class Kind {
+    displacement,
+    velocity,
+    reaction,
+    force,
+    bar,
+    crack_width,
+    mean_strain,
+    contact_force,
+    contact_impulse,
+    impactor_displacement,
+    impactor_velocity
+  };
   Place place;
   std::string name;
   Kind kind = Kind::displacement;
   Selector where; ///< displacement, velocity: mean over the picked points
   int axis = 0;
-  std::vector<std::string> of; ///< reaction: supports or motions; force: forces and tractions (summed)
+  std::vector<std::string> of; ///< reaction: supports or motions; force: forces and tractions; contact_*:
+                               ///< planes and impactors (all summed); impactor_*: one impactor
   double factor = 1;           ///< multiplies the reading (sign, symmetry)
   std::string zero_at;         ///< name of a stage: readings are relative to the one at its start
   std::string bar;             ///< bar: name, and copy number for count > 1
@@ -285,6 +325,9 @@ struct Case {
   std::vector<TractionSpec> tractions;
   std::vector<AbsorbingSpec> absorbing;
   GravitySpec gravity;
+  std::vector<PlaneSpec> planes;
+  std::vector<ImpactorSpec> impactors;
+  std::vector<InitialVelocitySpec> initial_velocities;
   std::vector<StageSpec> stages; ///< in order; empty = one stage "run" of end_time
   RunSpec run;
   std::vector<GaugeSpec> gauges;

@@ -9,6 +9,7 @@
 #include "fissura/model/blocks.hpp"
 #include "fissura/model/case.hpp"
 #include "fissura/model/loads.hpp"
+#include "fissura/model/rigid.hpp"
 
 namespace fissura::model {
 
@@ -30,6 +31,8 @@ struct Model {
   std::vector<MotionPath> paths;
   std::vector<AppliedForce> forces;
   Gravity gravity;
+  std::vector<RigidBody> rigid; ///< planes first, then impactors, in the order of the deck
+  std::vector<InitialVelocity> initial_velocity;
   std::vector<Stage> stages;
   std::vector<int> overlay_tets; ///< tets that bars or applied forces act on, ascending
 

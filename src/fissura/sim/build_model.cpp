@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "fissura/contact/rigid.hpp"
 #include "fissura/mesh/box.hpp"
 #include "fissura/mesh/check.hpp"
 #include "fissura/mesh/gmsh_reader.hpp"
@@ -94,6 +95,9 @@ Model build_model(model::Case const& c, BuildReport& report) {
   rebar::set_bar_joint_laws(m);
 
   build_loads(m);
+  build_rigid(m);
+  contact::check_rigid_start(m);
+  for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
   choose_step(m);
   note_assumptions(m, report);
   return m;

@@ -149,6 +149,23 @@ void resolve_names(Model const& m, Gauge& g) {
                                        g.spec.name, "xyz"[g.spec.axis]));
 }
 
+void resolve_bodies(Model const& m, Gauge& g) {
+  for (auto const& name : g.spec.of) {
+    auto const known = g.bodies.size();
+    for (std::size_t i = 0; i < m.rigid.size(); ++i)
+      if (m.rigid[i].name == name) g.bodies.push_back(static_cast<int>(i));
+    if (g.bodies.size() == known)
+      throw core::InputError(
+          g.spec.place, fmt::format("gauge `{}`: there is no plane or impactor `{}`", g.spec.name, name));
+  }
+}
+
+void resolve_impactor(Model const& m, Gauge& g) {
+  resolve_bodies(m, g);
+  if (g.bodies.size() != 1 || !m.rigid[static_cast<std::size_t>(g.bodies[0])].is_impactor)
+    throw core::InputError(g.spec.place, fmt::format("gauge `{}`: `of` must name one impactor", g.spec.name));
+}
+
 void resolve_line(Gauge& g) {
   g.length = norm(g.spec.to - g.spec.from);
   g.along = unit(g.spec.to - g.spec.from);
@@ -179,6 +196,17 @@ Gauge resolve(Model const& m, GaugeSpec const& spec) {
              : spec.quantity == "dowel_force"                             ? "N"
                                                                           : "-";
     g.reads_forces = true; // bar stresses are those the step has just used
+    break;
+  case GaugeSpec::Kind::contact_force:
+  case GaugeSpec::Kind::contact_impulse:
+    resolve_bodies(m, g);
+    g.unit = spec.kind == GaugeSpec::Kind::contact_force ? "N" : "N s";
+    g.reads_forces = spec.kind == GaugeSpec::Kind::contact_force;
+    break;
+  case GaugeSpec::Kind::impactor_displacement:
+  case GaugeSpec::Kind::impactor_velocity:
+    resolve_impactor(m, g);
+    g.unit = spec.kind == GaugeSpec::Kind::impactor_displacement ? "m" : "m/s";
     break;
   case GaugeSpec::Kind::crack_width:
     resolve_line(g);
@@ -233,6 +261,19 @@ double bar_reading(State const& s, Gauge const& g) {
   return b.dowel_force[joint];
 }
 
+/// Of planes and impactors, summed.
+double body_reading(State const& s, Gauge const& g) {
+  double sum = 0;
+  for (int const i : g.bodies) {
+    auto const& b = s.rigid.body[static_cast<std::size_t>(i)];
+    sum += (g.spec.kind == GaugeSpec::Kind::contact_force           ? b.force
+            : g.spec.kind == GaugeSpec::Kind::contact_impulse       ? b.impulse
+            : g.spec.kind == GaugeSpec::Kind::impactor_displacement ? b.u
+                                                                    : b.v)[g.spec.axis];
+  }
+  return sum;
+}
+
 double force_along(Model const& m, State const& s, Gauge const& g, double time) {
   double sum = 0;
   for (int const i : g.forces) {
@@ -251,6 +292,10 @@ double raw_state(Model const& m, State const& s, Gauge const& g) {
     return mean_component(s.v, g.nodes, g.spec.axis);
   case GaugeSpec::Kind::crack_width:
     return crack_width(m, s, g);
+  case GaugeSpec::Kind::contact_impulse:
+  case GaugeSpec::Kind::impactor_displacement:
+  case GaugeSpec::Kind::impactor_velocity:
+    return body_reading(s, g);
   default:
     return mean_strain(m, s, g);
   }
@@ -259,6 +304,7 @@ double raw_state(Model const& m, State const& s, Gauge const& g) {
 /// What the step has to find first.
 double raw_force(Model const& m, State const& s, Gauge const& g, double time) {
   if (g.spec.kind == GaugeSpec::Kind::bar) return bar_reading(s, g);
+  if (g.spec.kind == GaugeSpec::Kind::contact_force) return body_reading(s, g);
   double sum = force_along(m, s, g, time);
   for (int const p : g.prescribed) sum += s.reaction[p];
   return sum;

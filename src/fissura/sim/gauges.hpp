@@ -16,6 +16,7 @@ struct Gauge {
   std::vector<int> nodes;      ///< displacement, velocity
   std::vector<int> prescribed; ///< reaction: indices into Model::prescribed
   std::vector<int> forces;     ///< force: indices into Model::forces
+  std::vector<int> bodies;     ///< contact_*, impactor_*: indices into Model::rigid
   int bar_element = -1, bar_joint = -1;
   struct Crossing {
     int joint;

@@ -67,6 +67,10 @@ void Monitor::weigh_forces(Model const& m, State const& s) {
     resultant += force;
     sum += norm(force);
   }
+  for (auto const& body : s.rigid.body) {
+    resultant += body.force;
+    sum += norm(body.force);
+  }
   resultant_ += norm(resultant);
   last_imbalance_ = sum > 0 ? norm(resultant) / (0.5 * sum) : 0;
   all_forces_ += 0.5 * sum; // each force and what holds it

@@ -25,6 +25,17 @@ std::uint64_t state_hash(model::Model const& m, state::State const& s) {
     auto const [low, high] = std::minmax(input(f.a.tet), input(f.b.tet));
     sum += core::hash_bytes(kappa, sizeof kappa, low << 32 | high);
   }
+  for (std::size_t i = 0; i < s.rigid.body.size(); ++i) {
+    auto const& b = s.rigid.body[i];
+    double record[6] = {b.u.x, b.u.y, b.u.z, b.v.x, b.v.y, b.v.z};
+    for (double& x : record) x += 0.0;
+    sum += core::hash_bytes(record, sizeof record, ~static_cast<std::uint64_t>(i));
+  }
+  for (auto const& t : s.rigid.touch) {
+    double record[4] = {t.offset, t.stretch.x, t.stretch.y, t.stretch.z};
+    for (double& x : record) x += 0.0;
+    sum += core::hash_bytes(record, sizeof record, ~(input(t.tet) << 16 | t.body));
+  }
   return sum;
 }
 

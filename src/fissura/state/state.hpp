@@ -8,6 +8,7 @@
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/state/bar_state.hpp"
 #include "fissura/state/overlay.hpp"
+#include "fissura/state/rigid_state.hpp"
 
 namespace fissura::state {
 
@@ -37,7 +38,7 @@ struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
   double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
   double contact_friction = 0, absorbed = 0;                   ///< dissipated
-  double start = 0;                                            ///< held at t = 0 (prestressed bars)
+  double start = 0;                                            ///< held at t = 0 (prestressed bars, bodies in motion)
   double kinetic_before = 0;                                   ///< kinetic energy one step ago
   double absolute_work = 0;                                    ///< sum of |dW_ext|
 };
@@ -51,6 +52,7 @@ struct State {
   core::Buffer<std::uint8_t> joint_status;  ///< JointStatus, padded to blocks
   core::Buffer<JointHistory> joint_history; ///< untouched pages cost nothing
   BarState bars;
+  RigidState rigid;
   std::vector<double> reaction;            ///< per Prescribed: sum of reactions at step n [N]
   std::vector<double> prescribed_velocity; ///< per Prescribed: at n - 1/2 [m/s]
   std::vector<std::uint8_t> held;          ///< per Prescribed: has begun
@@ -72,6 +74,7 @@ struct Scratch {
   core::Buffer<double> corner_force; ///< [node][4], used only with bonded nodes [N]
   Overlay overlay;
   BarScratch bars;
+  RigidScratch rigid;
   std::vector<TetSums> tet_sums; ///< per chunk
 };
 

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/contact/rigid.hpp"
 #include "fissura/loads/loads.hpp"
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/step/start.hpp"
 
 namespace fissura::step {
 
@@ -16,7 +18,7 @@ namespace {
 
 /// Closes the accounts of u_n for a reading, then books the work over u_n -> u_(n+1).
 void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::MotionEffects const& motion,
-                 double impact, EnergyBalance* reading) {
+                 double impact, contact::ImpactorEffects const& impactors, EnergyBalance* reading) {
   auto& l = s.ledger;
   auto put_in = [&](double& account, double work) {
     account += work;
@@ -33,10 +35,11 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::Mo
   put_in(l.work_supports, motion.work_done);
   if (reading) {
     reading->kinetic = kinetic;
+    reading->impactors = impactors.kinetic;
     read_flows(*reading, m, s);
   }
   put_in(l.work_supports, motion.work_next);
-  put_in(l.work_gravity, sums.gravity + motion.gravity);
+  put_in(l.work_gravity, sums.gravity + motion.gravity + impactors.gravity);
   put_in(l.work_forces, loads::applied_work(m, s));
 }
 
@@ -52,12 +55,14 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   rebar::bar_forces(m, s, w);       // F_rc,FE    Eqs. 3-5
   w.overlay.clear();
   rebar::gather_bar_forces(m, w); //            to the corners of the host tets
+  contact::rigid_forces(m, s, w); // F_inter   with planes and impactors
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean);
   auto const motion = loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
-  post_energy(m, s, sums, motion, impact, reading);
+  auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
+  post_energy(m, s, sums, motion, impact, impactors, reading);
 
   s.step += 1;
   s.time = static_cast<double>(s.step) * m.dt;
@@ -76,7 +81,9 @@ State make_state(Model const& m) {
   s.held.assign(m.prescribed.size(), 0);
   s.paths.resize(m.paths.size());
   s.stage_start.assign(m.stages.size(), 0);
-  s.ledger.start = read_stored(m, s).held();
+  s.rigid = contact::make_rigid_state(m);
+  set_in_motion(m, s);
+  s.ledger.start = read_stored(m, s).held() + kinetic_energy(m, s);
   return s;
 }
 

@@ -1,6 +1,7 @@
 #include "fissura/step/ledger.hpp"
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/contact/rigid.hpp"
 #include "fissura/rebar/rebar.hpp"
 
 namespace fissura::step {
@@ -43,6 +44,7 @@ EnergyBalance read_stored(model::Model const& m, state::State const& s) {
   e.bond_steel = bars.bond_steel;
   e.dowel = bars.dowel;
   e.rupture = bars.rupture;
+  e.contact += contact::rigid_energy(m, s);
   return e;
 }
 

@@ -5,7 +5,7 @@
 namespace fissura::units {
 
 DimensionInfo const& info(Dimension dimension) {
-  static std::array<DimensionInfo, 13> const table{{
+  static std::array<DimensionInfo, 15> const table{{
       {"a pure number", "0.2", "1", {{"", 0, 0}}, {}},
       {"a length", "250 mm", "m", {{"m", 0, 1}, {"mm", -3, 0}}, {"cm", "km", "in", "ft"}},
       {"an area", "4.52 cm2", "m2", {{"m2", 0, 0.1}, {"mm2", -6, 0}}, {"cm2", "mm^2", "cm^2", "m^2"}},
@@ -23,6 +23,8 @@ DimensionInfo const& info(Dimension dimension) {
       {"a velocity", "0.1 m/s", "m/s", {{"m/s", 0, 1e-2}, {"mm/s", -3, 0}}, {"cm/s", "km/h"}},
       {"an acceleration", "9.81 m/s2", "m/s2", {{"m/s2", 0, 0}}, {"m/s^2", "mm/s2"}},
       {"a rate", "274 1/s", "1/s", {{"1/s", 0, 0}}, {"Hz", "1/ms", "s-1"}},
+      {"a mass", "250 kg", "kg", {{"kg", 0, 0}}, {"t", "g"}},
+      {"an impulse", "1.2 kN s", "N s", {{"kN s", 3, 1e3}, {"N s", 0, 0}}, {"kg m/s"}},
   }};
   return table[static_cast<std::size_t>(dimension)];
 }

@@ -19,6 +19,8 @@ enum class Dimension {
   velocity,
   acceleration,
   rate,
+  mass,
+  impulse,
 };
 
 /// A unit 10^exponent times the SI unit, used from `from` upwards when a value is written.

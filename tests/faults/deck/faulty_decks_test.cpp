@@ -200,6 +200,31 @@ std::vector<Fault> const faults{
      "42:8: error: `line` has no meaning for a gauge of kind \"reaction\""},
     {"stop without condition", "falls_to = 0.5\nafter = \"1 kN\"\n", "",
      "48:1: error: [[stop]] needs `above`, `below` or `falls_to`"},
+    // Rigid bodies.
+    {"impactor without its shape's keys", "[[stop]]",
+     "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\nmass = \"5 kg\"\n[[stop]]",
+     "48:1: error: a sphere needs `centre`"},
+    {"impactor with a key of another shape", "[[stop]]",
+     "[[impactor]]\nshape = \"box\"\nfrom = [\"0 m\", \"0 m\", \"1 m\"]\nto = [\"1 m\", \"1 m\", \"2 m\"]\n"
+     "radius = \"1 m\"\nmass = \"5 kg\"\n[[stop]]",
+     "52:10: error: `radius` has no meaning for a box"},
+    {"impactor that leaves its guide", "[[stop]]",
+     "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\ncentre = [\"0 m\", \"0 m\", \"1 m\"]\nmass = \"5 "
+     "kg\"\n"
+     "moves = [\"z\"]\nvelocity = [\"1 m/s\", \"0 m/s\", \"-1 m/s\"]\n[[stop]]",
+     "54:12: error: `velocity` has a component along x, which `moves` does not name"},
+    {"weight for a mass", "[[stop]]",
+     "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\ncentre = [\"0 m\", \"0 m\", \"1 m\"]\nmass = \"5 "
+     "kN\"\n"
+     "[[stop]]",
+     "52:8: error: `mass` = \"5 kN\": kN is not a mass; expected e.g. \"250 kg\""},
+    {"plane without a normal", "[[stop]]", "[[plane]]\npoint = [\"0 m\", \"0 m\", \"0 m\"]\n[[stop]]",
+     "48:1: error: [[plane]] needs `normal`"},
+    {"gauge of an unknown body", "of = [\"left\"]\naxis = \"x\"",
+     "of = [\"left\"]\naxis = \"x\"\n[[gauge]]\nname = \"f\"\nkind = \"contact_force\"\nof = "
+     "[\"flor\"]\naxis = "
+     "\"z\"\n[[plane]]\nname = \"floor\"\npoint = [\"0 m\", \"0 m\", \"0 m\"]\nnormal = [0, 0, 1]",
+     "46:6: error: `of`: no [[plane]] or [[impactor]] is named \"flor\"; did you mean `floor`?"},
     // Names.
     {"unknown steel", "steel = \"S500\"", "steel = \"S50\"",
      "17:9: error: `steel`: no [[steel]] is named \"S50\"; did you mean `S500`?"},

@@ -155,6 +155,34 @@ std::vector<Fault> const faults{
      [](model::Case& c) { c.mesh.boxes.clear(), c.mesh.file = "/nowhere/beam.msh"; },
      0,
      {"beam.msh"}},
+    {"plane_in_the_body",
+     [](model::Case& c) {
+       c.planes = {{line(50), "floor", {0, 0, 0.02}, {0, 0, 1}, 0.6}};
+     },
+     50,
+     {"plane `floor` overlaps", "tet", "0.02 m deep", "(0, 0, 0)"}},
+    {"impactor_inside_a_tet",
+     [](model::Case& c) {
+       model::ImpactorSpec i;
+       i.place = line(51), i.name = "pellet", i.centre = {0.29, 0.04, 0.03}, i.radius = 1e-3, i.mass = 1;
+       c.impactors = {i};
+     },
+     51,
+     {"impactor `pellet` overlaps", "0.001 m deep"}},
+    {"gauge_of_no_impactor",
+     [](model::Case& c) {
+       auto g = gauge("v", model::GaugeSpec::Kind::impactor_velocity);
+       g.of = {"ball"};
+       c.gauges = {g};
+     },
+     40,
+     {"ball"}},
+    {"initial_velocity_of_nothing",
+     [](model::Case& c) {
+       c.initial_velocities = {{line(52), placed(box({5, 5, 5}, {6, 6, 6}), 53), {0, 0, 1}}};
+     },
+     53,
+     {"tet"}},
     {"joint_region_on_nothing",
      [](model::Case& c) {
        model::JointRegionSpec r;

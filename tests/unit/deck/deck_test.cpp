@@ -201,6 +201,44 @@ below = -5
 falls_to = 0.8
 after = "10 kN"
 
+[[plane]]
+name = "floor"
+point = ["0 m", "0 m", "-10 mm"]
+normal = [0, 0, 1]
+friction = 0.3
+
+[[impactor]]
+shape = "cylinder"
+from = ["1 m", "0 m", "1 m"]
+to = ["1 m", "0.5 m", "1 m"]
+radius = "80 mm"
+mass = "0.3 t"
+velocity = ["0 m/s", "0 m/s", "-18 km/h"]
+moves = ["z"]
+
+[[impactor]]
+name = "ball"
+shape = "sphere"
+centre = ["2 m", "0 m", "1 m"]
+radius = "5 cm"
+mass = "4 kg"
+
+[[initial_velocity]]
+where = {group = "beam"}
+velocity = ["0 m/s", "1 m/s", "0 m/s"]
+
+[[gauge]]
+name = "blow"
+kind = "contact_impulse"
+of = ["floor", "impactor_1"]
+axis = "z"
+
+[[gauge]]
+name = "fall"
+kind = "impactor_displacement"
+of = ["ball"]
+axis = "z"
+
 [output]
 history_points = 200
 history_every = "1 ms"
@@ -290,6 +328,19 @@ TEST(Deck, ReadsEveryKey) {
   EXPECT_FALSE(c.stops[0].has_below);
   EXPECT_EQ(c.stops[1].below, -5);
   EXPECT_EQ(c.stops[1].after, 10e3);
+  EXPECT_EQ(c.planes[0].point, (Vec3{0, 0, -0.01}));
+  EXPECT_EQ(c.planes[0].normal, (Vec3{0, 0, 1}));
+  EXPECT_EQ(c.planes[0].friction, 0.3);
+  EXPECT_EQ(c.impactors[0].name, "impactor_1");
+  EXPECT_EQ(c.impactors[0].shape, model::ImpactorSpec::Shape::cylinder);
+  EXPECT_EQ(c.impactors[0].to, (Vec3{1, 0.5, 1}));
+  EXPECT_EQ(c.impactors[0].mass, 300);
+  EXPECT_EQ(c.impactors[0].velocity, (Vec3{0, 0, -5}));
+  EXPECT_EQ(c.impactors[0].moves, (std::array<bool, 3>{false, false, true}));
+  EXPECT_EQ(c.impactors[1].radius, 0.05);
+  EXPECT_EQ(c.impactors[1].friction, 0.6);
+  EXPECT_EQ(c.initial_velocities[0].velocity, (Vec3{0, 1, 0}));
+  EXPECT_EQ(c.gauges.back().kind, model::GaugeSpec::Kind::impactor_displacement);
   EXPECT_EQ(c.output.frames, 7);
 }
 

@@ -171,6 +171,32 @@ TEST(Gauges, are_zeroed_at_a_stage) {
   EXPECT_NEAR(read(0.8), 0.1, 1e-15);
 }
 
+// Requirement: contact force and impulse are those of the bodies on the concrete, summed; an impactor's
+// displacement and velocity are its own.
+TEST(Gauges, rigid_bodies) {
+  auto c = gauged_tie();
+  c.planes = {{{}, "floor", {0, 0, -1}, {0, 0, 1}, 0.6}};
+  model::ImpactorSpec ball;
+  ball.name = "ball", ball.centre = {0, 0, 2}, ball.radius = 0.5, ball.mass = 3, ball.velocity = {0, 0, -7};
+  c.impactors = {ball};
+  for (auto const kind :
+       {Kind::contact_force, Kind::contact_impulse, Kind::impactor_displacement, Kind::impactor_velocity}) {
+    auto g = gauge("g" + std::to_string(c.gauges.size()), kind);
+    g.of = {"ball"}, g.axis = 2;
+    if (c.gauges.size() < 2) g.of.push_back("floor");
+    c.gauges.push_back(g);
+  }
+  Stepper x(c);
+  sim::Gauges g(x.m);
+  EXPECT_EQ(x.s.rigid.body[1].v.z, -7);
+  x.s.rigid.body[0] = {{}, {}, {1, 2, 30}, {4, 5, 60}};
+  x.s.rigid.body[1] = {{0, 0, -8}, {0, 0, -7}, {1, 2, -3}, {4, 5, -6}};
+  g.read_state(x.m, x.s);
+  g.read_forces(x.m, x.s, 0);
+  EXPECT_EQ(g.values(), (std::vector<double>{27, 54, -8, -7}));
+  EXPECT_EQ(g.columns()[1].unit, "N s");
+}
+
 // Requirement: gauges that name what is not there are refused, all at once, each at its place.
 TEST(Gauges, refuse_what_is_not_there) {
   auto c = gauged_tie();
