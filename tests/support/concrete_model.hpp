@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fissura/concrete/concrete.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/model.hpp"
 #include "fissura/state/state.hpp"
@@ -100,7 +101,7 @@ inline state::State concrete_state(model::Model const& m) {
 }
 inline state::Scratch concrete_scratch(model::Model const& m) {
   state::Scratch w;
-  w.joint_force = core::Buffer<double>(12 * m.joints.blocks() * model::block + 16);
+  w.joints = concrete::make_joint_slots(m);
   if (m.bonding.any) w.corner_force = core::Buffer<double>(4 * node_slots(m));
   w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);

@@ -12,7 +12,7 @@ inline double corner_forces(model::Model const& m, state::State& s, state::Scrat
                             core::Buffer<double>& force,
                             concrete::KernelSet const& set = concrete::kernels()) {
   if (force.empty()) force = core::Buffer<double>(4 * node_slots(m));
-  concrete::TetPass const pass{&m.tets,    s.u.data(),   s.v.data(), w.joint_force.data(),
+  concrete::TetPass const pass{&m.tets,    s.u.data(),   s.v.data(), &w.joints,
                                &w.overlay, force.data(), dt,         0,
                                0,          {},           {}};
   return set.tet_forces(pass, 0, m.tets.blocks()).viscous;

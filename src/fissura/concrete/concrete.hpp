@@ -5,6 +5,11 @@
 
 namespace fissura::concrete {
 
+/// Slots for the forces of all joints, none of them damaged.
+state::JointSlots make_joint_slots(model::Model const& m);
+/// Gives side b of a joint a slot of its own: its force is no longer the opposite of side a's.
+void separate_sides(model::Model const& m, state::JointSlots& slots, int joint);
+
 /// F_conc,JE at u_n: tractions of all joints into their slots; histories and dissipation move on.
 void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 
@@ -14,8 +19,8 @@ void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w,
                                         Vec3 gravity, Vec3 gravity_mean);
 
-/// The full law of one joint: evaluates its three points, updates its history and overwrites its force.
-void damaged_joint(model::Model const& m, state::State& s, double* joint_force, int joint);
+/// The full law of one joint: evaluates its three points, updates its history and overwrites its forces.
+void damaged_joint(model::Model const& m, state::State& s, state::JointSlots& slots, int joint);
 
 /// Elastic energy in the tets at u [J].
 double strain_energy(model::Model const& m, state::State const& s);
@@ -27,6 +32,8 @@ laws::Dissipation joint_dissipation(model::Model const& m, state::State const& s
 /// Separation of a joint at its three points, in its current frame (normal from a to b).
 struct JointKinematics {
   Vec3 normal, axis_1, axis_2;
+  std::array<Vec3, 3> jump;           ///< of the node pairs [m]
+  std::array<Vec3, 3> mid;            ///< corners of the mid-triangle, seen from the first [m]
   std::array<laws::Separation, 3> at; ///< mid-edges 01, 12, 20
 };
 /// From the displacements u - back * v (back = 0: now; back = dt: one step ago).

@@ -1,5 +1,6 @@
 // A joint with a history: three integration points by the full law, one joint at a time.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "fissura/concrete/concrete.hpp"
@@ -24,14 +25,74 @@ Vec3 reference_edge(Model const& m, int joint, int which) {
           e[model::at(j, 3 * which + 2, 6)]};
 }
 
-/// A crack-face pair lets go once its faces overlap by less than half and none of its points presses.
-bool has_slid_off(model::Joint const& joint, JointKinematics const& k) {
-  double slid = 0;
+double slid(laws::Separation const& p) {
+  return std::hypot(p.sliding_1, p.sliding_2);
+}
+
+/// Edge of a right-angled isosceles triangle of the joint's area: the length its sliding is measured by.
+double face_size(model::Joint const& joint) {
+  return std::sqrt(2 * joint.area);
+}
+
+/// Share of its load that a crack-face pair has handed over to contact: none until its faces overlap by no
+/// more than half, all once they have slid past each other, or at once where no point presses any more.
+double handed_over(model::Joint const& joint, JointKinematics const& k) {
+  double most = 0;
+  bool presses = false, is_wide_open = true;
   for (auto const& p : k.at) {
-    if (p.opening < 0) return false;
-    slid = std::max(slid, std::hypot(p.sliding_1, p.sliding_2));
+    most = std::max(most, slid(p) / face_size(joint));
+    presses |= p.opening < 0;
+    is_wide_open &= p.opening > 0.25 * face_size(joint);
   }
-  return slid > 0.5 * std::sqrt(2 * joint.area);
+  if (is_wide_open || (most > 0.5 && !presses)) return 1;
+  return std::clamp(2 * most - 1, 0.0, 1.0);
+}
+
+using NodeForces = std::array<Vec3, 3>;
+
+/// Forces that act alike on both sides of a joint and balance the moment of its tractions. These act on faces
+/// that have moved apart by `jump`, so with opposite forces alone a turning pair would gain or lose energy.
+/// They turn the mid-triangle as a rigid body would: theta x r, r from its centroid.
+NodeForces balancing_forces(std::array<Vec3, 3> const& mid, std::array<Vec3, 3> const& jump,
+                            NodeForces const& force) {
+  Vec3 const centre = (mid[0] + mid[1] + mid[2]) / 3;
+  Vec3 moment;
+  Mat3 inertia;
+  for (int k = 0; k < 3; ++k) {
+    Vec3 const r = mid[k] - centre;
+    moment += cross(jump[k], force[k]);
+    for (int i = 0; i < 3; ++i) {
+      inertia[i][i] += dot(r, r);
+      for (int l = 0; l < 3; ++l) inertia[i][l] -= r[i] * r[l];
+    }
+  }
+  Vec3 const theta = 0.5 * (inverse(inertia) * moment);
+  NodeForces balance;
+  for (int k = 0; k < 3; ++k) balance[k] = cross(theta, mid[k] - centre);
+  return balance;
+}
+
+/// The load that a crack-face pair gives up goes to contact, which takes it up as the faces close; what the
+/// pair held for it is lost to friction.
+void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) {
+  auto const& j = m.joints.joints[joint];
+  auto& history = s.joint_history[joint];
+  double const share = std::max(history.handed_over, handed_over(j, now));
+  if (share <= history.handed_over) return;
+  for (int q = 0; q < 3; ++q)
+    history.dissipated.friction +=
+        (share - history.handed_over) * j.area / 3 *
+        laws::cohesive_stored(m.joints.law[joint], history.point[q], now.at[q], true);
+  history.handed_over = share;
+  auto const status = share < 1 ? JointStatus::parting : JointStatus::released;
+  if (s.joint_status[joint] == static_cast<std::uint8_t>(status)) return;
+  s.joint_status[joint] = static_cast<std::uint8_t>(status);
+  std::atomic_ref(s.contact.is_due).store(1, std::memory_order_relaxed);
+}
+
+void store(double* at, NodeForces const& force) {
+  for (int k = 0; k < 3; ++k)
+    for (int r = 0; r < 3; ++r) at[4 * k + r] = force[k][r];
 }
 
 } // namespace
@@ -47,6 +108,8 @@ JointKinematics joint_kinematics(Model const& m, State const& s, int joint, doub
   Vec3 const e1 = reference_edge(m, joint, 0) + (mean[1] - mean[0]);
   Vec3 const e2 = reference_edge(m, joint, 1) + (mean[2] - mean[0]);
   JointKinematics r;
+  r.jump = jump;
+  r.mid = {Vec3{}, e1, e2};
   r.normal = unit(cross(e1, e2));
   r.axis_1 = unit(e1);
   r.axis_2 = cross(r.normal, r.axis_1);
@@ -57,45 +120,55 @@ JointKinematics joint_kinematics(Model const& m, State const& s, int joint, doub
   return r;
 }
 
-void damaged_joint(Model const& m, State& s, double* joint_force, int joint) {
-  auto& status = s.joint_status[joint];
+void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint) {
+  auto const was = static_cast<JointStatus>(s.joint_status[joint]);
   auto const& j = m.joints.joints[joint];
   auto& history = s.joint_history[joint];
-  double* const force = joint_force + 12 * static_cast<std::size_t>(joint);
-  if (status == static_cast<std::uint8_t>(JointStatus::released)) {
-    std::fill(force, force + 12, 0.0);
+  double* const on_a = slots.force.data() + 12 * static_cast<std::size_t>(joint);
+  double* const on_b = slots.force.data() + slots.side_b(joint);
+  if (was == JointStatus::released) {
+    store(on_a, {});
+    store(on_b, {});
     return;
   }
   JointKinematics const now = joint_kinematics(m, s, joint);
-  if (status == static_cast<std::uint8_t>(JointStatus::intact))
-    history.last = joint_kinematics(m, s, joint, m.dt).at;
-  bool const broken = status == static_cast<std::uint8_t>(JointStatus::broken);
+  if (was == JointStatus::intact) history.last = joint_kinematics(m, s, joint, m.dt).at;
+  bool const broken = was >= JointStatus::broken;
+  double const kept = 1 - history.handed_over;
+
   std::array<Vec3, 3> traction;
   bool any_damage = false, all_failed = true;
   for (int q = 0; q < 3; ++q) {
     laws::Dissipation lost{};
     auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], history.last[q],
                                            broken, lost);
-    traction[q] = t.sigma * now.normal + t.tau_1 * now.axis_1 + t.tau_2 * now.axis_2;
+    traction[q] = kept * (t.sigma * now.normal + t.tau_1 * now.axis_1 + t.tau_2 * now.axis_2);
     history.dissipated.mode_I += lost.mode_I * j.area / 3;
     history.dissipated.mode_II += lost.mode_II * j.area / 3;
-    history.dissipated.friction += lost.friction * j.area / 3;
+    history.dissipated.friction += kept * lost.friction * j.area / 3;
     any_damage |= history.point[q].kappa > 0;
     all_failed &= history.point[q].kappa >= 1;
   }
   history.last = now.at;
-  if (any_damage && status == static_cast<std::uint8_t>(JointStatus::intact))
-    status = static_cast<std::uint8_t>(JointStatus::damaged);
-  if (all_failed && !broken) {
-    status = static_cast<std::uint8_t>(JointStatus::broken);
-    history.time_of_failure = s.time;
-  }
-  if (broken && has_slid_off(j, now)) status = static_cast<std::uint8_t>(JointStatus::released);
 
   // Half of each point's share (area/3) to each node of its edge.
-  for (int k = 0; k < 3; ++k) {
-    Vec3 const f = (j.area / 6) * (traction[k] + traction[(k + 2) % 3]);
-    force[4 * k] = f.x, force[4 * k + 1] = f.y, force[4 * k + 2] = f.z, force[4 * k + 3] = 0;
+  NodeForces force;
+  for (int k = 0; k < 3; ++k) force[k] = (j.area / 6) * (traction[k] + traction[(k + 2) % 3]);
+  if (!any_damage && !broken) return store(on_a, force);
+  if (was == JointStatus::intact) separate_sides(m, slots, joint);
+  NodeForces const balance = balancing_forces(now.mid, now.jump, force);
+  NodeForces opposite;
+  for (int k = 0; k < 3; ++k) opposite[k] = balance[k] - force[k], force[k] += balance[k];
+  store(on_a, force);
+  store(on_b, opposite);
+
+  if (broken) {
+    hand_over(m, s, joint, now);
+  } else if (all_failed) {
+    s.joint_status[joint] = static_cast<std::uint8_t>(JointStatus::broken);
+    history.time_of_failure = s.time;
+  } else {
+    s.joint_status[joint] = static_cast<std::uint8_t>(JointStatus::damaged);
   }
 }
 

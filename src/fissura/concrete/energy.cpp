@@ -71,9 +71,9 @@ double joint_energy(Model const& m, State const& s) {
           if (status == JointStatus::released) continue;
           auto const k = joint_kinematics(m, s, static_cast<int>(j));
           for (int q = 0; q < 3; ++q)
-            sum += m.joints.joints[j].area / 3 *
+            sum += (1 - s.joint_history[j].handed_over) * m.joints.joints[j].area / 3 *
                    laws::cohesive_stored(m.joints.law[j], s.joint_history[j].point[q], k.at[q],
-                                         status == JointStatus::broken);
+                                         status >= JointStatus::broken);
         }
         return sum;
       });
@@ -114,7 +114,7 @@ JointCounts count_joints(Model const& m, State const& s) {
     ++n.damaged;
     auto const& point = s.joint_history[j].point;
     n.cracked += point[0].kappa > 0 && point[1].kappa > 0 && point[2].kappa > 0;
-    n.broken += status == JointStatus::broken || status == JointStatus::released;
+    n.broken += status >= JointStatus::broken;
     n.released += status == JointStatus::released;
   }
   return n;

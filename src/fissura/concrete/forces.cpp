@@ -16,12 +16,12 @@ constexpr std::size_t blocks_per_chunk = 32; // 256 tets or joints: the unit of 
 struct DamagedContext {
   Model const& m;
   State& s;
-  double* force;
+  state::JointSlots& slots;
 };
 
 void evaluate_damaged(void const* context, int joint) {
   auto const& c = *static_cast<DamagedContext const*>(context);
-  damaged_joint(c.m, c.s, c.force, joint);
+  damaged_joint(c.m, c.s, c.slots, joint);
 }
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
@@ -71,8 +71,8 @@ void add(TetSums& to, TetSums const& from) {
 } // namespace
 
 void joint_forces(Model const& m, State& s, Scratch& w) {
-  DamagedContext const context{m, s, w.joint_force.data()};
-  JointPass const pass{&m.joints,         s.u.data(), w.joint_force.data(), s.joint_status.data(),
+  DamagedContext const context{m, s, w.joints};
+  JointPass const pass{&m.joints,         s.u.data(), w.joints.force.data(), s.joint_status.data(),
                        &evaluate_damaged, &context};
   auto const run = kernels().joint_forces;
   parallel::for_chunks(m.joints.blocks(), blocks_per_chunk,
@@ -81,17 +81,10 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
 
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {
   auto const& stage = m.stages[s.stage];
-  TetPass const pass{&m.tets,
-                     s.u.data(),
-                     s.v.data(),
-                     w.joint_force.data(),
-                     &w.overlay,
-                     m.bonding.any ? w.corner_force.data() : nullptr,
-                     m.dt,
-                     stage.mass_damping,
-                     stage.local_damping,
-                     gravity,
-                     gravity_mean};
+  TetPass const pass{&m.tets,   s.u.data(),         s.v.data(),
+                     &w.joints, &w.overlay,         m.bonding.any ? w.corner_force.data() : nullptr,
+                     m.dt,      stage.mass_damping, stage.local_damping,
+                     gravity,   gravity_mean};
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {

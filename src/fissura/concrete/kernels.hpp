@@ -23,7 +23,7 @@ struct TetPass {
   model::TetBlocks const* tets;
   double* u;
   double* v;
-  double const* joint_force;
+  state::JointSlots const* joints;
   state::Overlay const* overlay;
   double* corner_force; ///< bonded meshes: write corner forces here and do not integrate; else nullptr
   double dt;

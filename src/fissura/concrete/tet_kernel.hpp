@@ -102,14 +102,14 @@ template <class V> struct TetPack {
   }
 
   void gather_joint_forces() {
-    model::TetBlocks const& t = *pass.tets;
-    int const* const where = t.joint_force.data() + block * 12 * model::block + lane0;
-    double const* const sign = constant(t.joint_sign, 4);
+    int const* const where = pass.joints->place.data() + block * 12 * model::block + lane0;
+    double const* const sign = constant(pass.joints->sign, 4);
+    double const* const force = pass.joints->force.data();
     for (int face = 0; face < 4; ++face) {
       V const s = load<V>(sign + face * model::block);
       for (int k = 0; k < 3; ++k) {
         int const a = mesh::face_corners[face][k];
-        f[a] = f[a] + s * core::load_nodes<V>(pass.joint_force, where + (3 * face + k) * model::block);
+        f[a] = f[a] + s * core::load_nodes<V>(force, where + (3 * face + k) * model::block);
       }
     }
   }

@@ -36,9 +36,6 @@ struct TetBlocks {
   core::Buffer<double> lame;          ///< [block][8] lambda [Pa]
   core::Buffer<double> viscosity;     ///< [block][8] mu_bar [Pa s]
   core::Buffer<double> weight_ratio;  ///< [block][8] real mass / scaled mass: what gravity acts on
-  core::Buffer<int>
-      joint_force; ///< [block][12][8] face by face, corner by corner: where its joint force starts
-  core::Buffer<double> joint_sign;       ///< [block][4][8] +1, -1, 0 per face
   std::vector<std::uint8_t>
       is_paper; ///< per block: some tet uses the law `paper` (all of a block use one law)
   bool any_viscosity = false;

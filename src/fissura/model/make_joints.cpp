@@ -51,30 +51,6 @@ bool along_axis(Vec3 normal, int axis) {
   return std::abs(normal[axis]) > std::cos(10 * std::numbers::pi / 180);
 }
 
-/// The tet kernel's gather: where the force of each face's joint is for each corner, and with which sign.
-void make_gather_tables(Model& m) {
-  auto& t = m.tets;
-  std::size_t const n = t.blocks() * block;
-  int const nothing = static_cast<int>(12 * m.joints.blocks() * block);
-  t.joint_force = core::Buffer<int>(12 * n);
-  t.joint_sign = core::Buffer<double>(4 * n);
-  for (auto& where : t.joint_force) where = nothing;
-  for (int i = 0; i < m.joints.count; ++i) {
-    auto const& face = m.adjacency.shared[m.joints.joints[i].shared_face];
-    auto put = [&](mesh::TetFace side, std::array<int, 3> const& corner, double sign) {
-      auto const tet = static_cast<std::size_t>(side.tet);
-      t.joint_sign[at(tet, side.face, 4)] = sign;
-      for (int k = 0; k < 3; ++k) {
-        auto const& list = mesh::face_corners[side.face];
-        int const slot = static_cast<int>(std::find(list.begin(), list.end(), corner[k]) - list.begin());
-        t.joint_force[at(tet, 3 * side.face + slot, 12)] = 12 * i + 4 * k;
-      }
-    };
-    put(face.a, face.corner_a, 1); // tension pulls side a towards b
-    put(face.b, face.corner_b, -1);
-  }
-}
-
 /// Padding joints sit on tet 0 with no stiffness and no area.
 void make_joint_data(Model& m) {
   auto& j = m.joints;
@@ -185,7 +161,6 @@ void make_joints(Model& m) {
     j.law.push_back(joint_law(m, regions, static_cast<int>(f)));
   }
   make_joint_data(m);
-  make_gather_tables(m);
 }
 
 WeakestPlane weakest_plane(Model const& m, int axis) {

@@ -7,20 +7,22 @@
 #include "fissura/core/buffer.hpp"
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/state/bar_state.hpp"
+#include "fissura/state/contact_state.hpp"
 #include "fissura/state/overlay.hpp"
 #include "fissura/state/rigid_state.hpp"
 
 namespace fissura::state {
 
-/// What has become of a joint. A crack-face pair still carries compression and friction; a released one
-/// nothing.
-enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, released = 3 };
+/// What has become of a joint. A broken one is a crack-face pair: it carries compression and friction. A
+/// parting one has slid so far that it hands its load over to contact; a released one carries nothing.
+enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, parting = 3, released = 4 };
 
 struct JointHistory {
   std::array<laws::CohesiveHistory, 3> point{}; ///< at the mid-edges 01, 12, 20
   std::array<laws::Separation, 3> last{};       ///< separations one step ago, once the joint is damaged
   laws::Dissipation dissipated{};               ///< [J]
   double time_of_failure = 0;                   ///< [s]; 0 = not failed
+  double handed_over = 0;                       ///< share of the pair's load that is left to contact, 0 ... 1
 };
 
 /// Where a MotionPath is: which target it is on its way to, and its last turn.
@@ -53,6 +55,7 @@ struct State {
   core::Buffer<JointHistory> joint_history; ///< untouched pages cost nothing
   BarState bars;
   RigidState rigid;
+  ContactState contact;
   std::vector<double> reaction;            ///< per Prescribed: sum of reactions at step n [N]
   std::vector<double> prescribed_velocity; ///< per Prescribed: at n - 1/2 [m/s]
   std::vector<std::uint8_t> held;          ///< per Prescribed: has begun
@@ -68,13 +71,25 @@ struct TetSums {
   double kinetic = 0;                    ///< [J] at step n
 };
 
+/// The forces of the joints, and where each tet finds those of its faces. A joint has one slot, which its
+/// side b takes with the opposite sign; once it is damaged side b has a slot of its own
+/// (concrete::separate_sides).
+struct JointSlots {
+  core::Buffer<double> force; ///< [joint][3][4] side a; 16 zeros; [joint][3][4] side b of damaged joints [N]
+  core::Buffer<int> place;    ///< [block][12][8] face by face, corner by corner: where its force starts
+  core::Buffer<double> sign;  ///< [block][4][8] +1, -1, 0 per face
+
+  /// Where the force on side b of a damaged joint starts.
+  std::size_t side_b(int joint) const { return force.size() / 2 + 8 + 12 * static_cast<std::size_t>(joint); }
+};
+
 struct Scratch {
-  core::Buffer<double>
-      joint_force; ///< [joint][3][4] on side a (b gets the opposite) [N]; a zero entry at the end
+  JointSlots joints;
   core::Buffer<double> corner_force; ///< [node][4], used only with bonded nodes [N]
   Overlay overlay;
   BarScratch bars;
   RigidScratch rigid;
+  ContactScratch contact;
   std::vector<TetSums> tet_sums; ///< per chunk
 };
 

@@ -89,8 +89,8 @@ State make_state(Model const& m) {
 
 Scratch make_scratch(Model const& m) {
   Scratch w;
-  std::size_t const tets = m.tets.blocks() * model::block, joints = m.joints.blocks() * model::block;
-  w.joint_force = core::Buffer<double>(12 * joints + 16);
+  std::size_t const tets = m.tets.blocks() * model::block;
+  w.joints = concrete::make_joint_slots(m);
   if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
   w.overlay = state::Overlay(tets, m.overlay_tets);
   w.bars = rebar::make_bar_scratch(m, w.overlay);

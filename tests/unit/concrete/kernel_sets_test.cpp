@@ -18,7 +18,7 @@ using concrete::KernelSet;
 struct Context {
   model::Model const& m;
   state::State& s;
-  double* force;
+  state::JointSlots& slots;
 };
 
 /// A model that runs with one kernel set, called without the library's own choice of set.
@@ -51,20 +51,19 @@ struct Bench {
       w.overlay.force[i] = i % 4 == 3 ? 0 : 10.0 * static_cast<double>(i % 7);
   }
   void step(KernelSet const& set) {
-    Context const context{m, s, w.joint_force.data()};
+    Context const context{m, s, w.joints};
     concrete::JointPass const joints{&m.joints,
                                      s.u.data(),
-                                     w.joint_force.data(),
+                                     w.joints.force.data(),
                                      s.joint_status.data(),
                                      [](void const* c, int joint) {
                                        auto const& x = *static_cast<Context const*>(c);
-                                       concrete::damaged_joint(x.m, x.s, x.force, joint);
+                                       concrete::damaged_joint(x.m, x.s, x.slots, joint);
                                      },
                                      &context};
     set.joint_forces(joints, 0, m.joints.blocks());
-    concrete::TetPass const tets{&m.tets,       s.u.data(), s.v.data(), w.joint_force.data(),
-                                 &w.overlay,    nullptr,    m.dt,       mass_damping,
-                                 local_damping, gravity,    gravity};
+    concrete::TetPass const tets{&m.tets, s.u.data(),   s.v.data(),    &w.joints, &w.overlay, nullptr,
+                                 m.dt,    mass_damping, local_damping, gravity,   gravity};
     sums = set.tet_forces(tets, 0, m.tets.blocks());
   }
 };
@@ -96,8 +95,8 @@ class KernelSets : public testing::TestWithParam<char const*> {
   void expect_same_step(Bench& oracle, Bench& other) {
     oracle.step(concrete::kernels("scalar"));
     other.step(*set_);
-    EXPECT_GT(largest(oracle.w.joint_force), 0);
-    EXPECT_LE(difference(oracle.w.joint_force, other.w.joint_force), 1e-12);
+    EXPECT_GT(largest(oracle.w.joints.force), 0);
+    EXPECT_LE(difference(oracle.w.joints.force, other.w.joints.force), 1e-12);
     EXPECT_LE(difference(oracle.s.u, other.s.u), 1e-12);
     EXPECT_LE(difference(oracle.s.v, other.s.v), 1e-12);
     EXPECT_TRUE(

@@ -89,7 +89,7 @@ TEST(JointBalance, an_evenly_opened_joint_carries_stress_times_area) {
     double const force = at_middle ? concrete.f_t * (2 * r - r * r) * joint.area / 3 : 0; // Eq. 13
     opened += at_middle;
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(std::abs(w.joint_force[12 * j + 4 * k]), force, 1e-12 * concrete.f_t * joint.area);
+      EXPECT_NEAR(std::abs(w.joints.force[12 * j + 4 * k]), force, 1e-12 * concrete.f_t * joint.area);
   }
   EXPECT_EQ(opened, 2);
 }

@@ -62,7 +62,7 @@ TEST(RigidMotion, loads_no_joint) {
   for (int degrees = 0; degrees <= 360; degrees += 15) {
     turn(m, s, {0.3, 1, 2}, degrees * two_pi / 360);
     concrete::joint_forces(m, s, w);
-    EXPECT_LE(largest_force(w.joint_force), 1e-12 * plain_concrete().E * 0.1 * 0.1) << degrees;
+    EXPECT_LE(largest_force(w.joints.force), 1e-12 * plain_concrete().E * 0.1 * 0.1) << degrees;
   }
   EXPECT_EQ(concrete::count_joints(m, s).damaged, 0);
   EXPECT_LE(concrete::joint_energy(m, s), 1e-20);

@@ -1,0 +1,97 @@
+#include "fissura/contact/contact.hpp"
+#include "fissura/contact/pair_law.hpp"
+#include "fissura/parallel/parallel.hpp"
+
+namespace fissura::contact {
+
+using model::Model;
+using state::Scratch;
+using state::State;
+
+namespace {
+
+constexpr std::size_t pairs_per_chunk = 64, hosts_per_chunk = 256;
+
+struct PairSums {
+  double stored = 0, lost = 0; ///< [J]
+  PairSums& operator+=(PairSums const& b) {
+    stored += b.stored, lost += b.lost;
+    return *this;
+  }
+};
+
+Vec3 read(core::Buffer<double> const& field, int node) {
+  double const* const f = field.data() + 4 * static_cast<std::size_t>(node);
+  return {f[0], f[1], f[2]};
+}
+
+/// Corners seen from a point near the pair, so that small overlaps keep their digits.
+TetNow tet_now(Model const& m, State const& s, int tet, Vec3 origin) {
+  std::array<Vec3, 4> now, reference;
+  for (int c = 0; c < 4; ++c) {
+    int const node = model::node_of(tet, c);
+    reference[c] = read(m.position, node) - origin;
+    now[c] = reference[c] + read(s.u, node);
+  }
+  return make_tet_now(now, reference);
+}
+
+std::array<Vec3, 4> last_step(Model const& m, State const& s, int tet) {
+  std::array<Vec3, 4> step;
+  for (int c = 0; c < 4; ++c) step[c] = m.dt * read(s.v, model::node_of(tet, c));
+  return step;
+}
+
+PairSums evaluate(Model const& m, State& s, Scratch& w, std::size_t i) {
+  auto& pair = s.contact.pairs[i];
+  auto& force = w.contact.force[i];
+  Vec3 const origin = read(m.position, model::node_of(pair.a, 0));
+  PairNow now{tet_now(m, s, pair.a, origin), tet_now(m, s, pair.b, origin), {}, {}};
+  if (pair.start == 0 && pair.stiffness == 0 && are_apart(now.a, now.b)) {
+    force.acts = false;
+    return {};
+  }
+  now.step_a = last_step(m, s, pair.a);
+  now.step_b = last_step(m, s, pair.b);
+  PairResult const r = pair_law(w.contact.constants[i], now, pair);
+  force = r.force;
+  return {r.stored, r.lost};
+}
+
+void gather(Scratch& w, std::size_t begin, std::size_t end) {
+  for (std::size_t h = begin; h < end; ++h) {
+    auto const& host = w.contact.hosts[h];
+    double* const out = w.overlay.at(host.slot);
+    for (int i = host.begin; i < host.end; ++i) {
+      auto const& entry = w.contact.entries[i];
+      auto const& f = w.contact.force[entry.pair];
+      if (!f.acts) continue;
+      for (int c = 0; c < 4; ++c) {
+        Vec3 const on = entry.is_a ? f.on_a[c] : f.on_b[c];
+        out[4 * c] += on.x, out[4 * c + 1] += on.y, out[4 * c + 2] += on.z;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void pair_forces(Model const& m, State& s, Scratch& w) {
+  auto& c = s.contact;
+  if (c.pairs.empty()) {
+    c.stored = 0;
+    return;
+  }
+  auto const sums =
+      parallel::sum_chunks<PairSums>(c.pairs.size(), pairs_per_chunk, [&](std::size_t begin, std::size_t end) {
+        PairSums sum;
+        for (std::size_t i = begin; i < end; ++i) sum += evaluate(m, s, w, i);
+        return sum;
+      });
+  c.stored = sums.stored;
+  s.ledger.contact_friction += sums.lost;
+  parallel::for_chunks(w.contact.hosts.size(), hosts_per_chunk,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { gather(w, begin, end); });
+}
+
+} // namespace fissura::contact

@@ -1,0 +1,212 @@
+// When and how pairs are looked for. The boxes of tets are enlarged by a skin; a list of pairs holds until some
+// node may have moved through half of it, or until faces part.
+#include <algorithm>
+#include <cmath>
+
+#include "fissura/contact/broad_phase.hpp"
+#include "fissura/contact/contact.hpp"
+#include "fissura/contact/linkage.hpp"
+#include "fissura/geometry/tet.hpp"
+#include "fissura/parallel/parallel.hpp"
+
+namespace fissura::contact {
+
+using model::Model;
+using state::ContactPair;
+using state::Scratch;
+using state::State;
+
+namespace {
+
+constexpr long steps_between_looks = 4;
+constexpr double skin_share = 0.1;  ///< of the mean size of the surface tets
+constexpr double skin_used = 0.8;   ///< the rest covers velocities that grow between two looks
+constexpr std::size_t tets_per_chunk = 512;
+
+Vec3 place_of(Model const& m, State const& s, int node) {
+  double const *x = m.position.data() + 4 * node, *u = s.u.data() + 4 * node;
+  return {x[0] + u[0], x[1] + u[1], x[2] + u[2]};
+}
+
+struct Fastest {
+  double square = 0;
+  Fastest& operator+=(Fastest const& b) {
+    square = std::max(square, b.square);
+    return *this;
+  }
+};
+
+double fastest_node(State const& s, std::vector<int> const& tets) {
+  auto const most = parallel::sum_chunks<Fastest>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+    Fastest f;
+    for (std::size_t i = begin; i < end; ++i)
+      for (int c = 0; c < 4; ++c) {
+        double const* const v = s.v.data() + 4 * model::node_of(tets[i], c);
+        f.square = std::max(f.square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      }
+    return f;
+  });
+  return std::sqrt(most.square);
+}
+
+Box box_of(Model const& m, State const& s, int tet, double margin) {
+  Box b;
+  b.low = b.high = place_of(m, s, model::node_of(tet, 0));
+  for (int c = 1; c < 4; ++c) {
+    Vec3 const x = place_of(m, s, model::node_of(tet, c));
+    for (int r = 0; r < 3; ++r) b.low[r] = std::min(b.low[r], x[r]), b.high[r] = std::max(b.high[r], x[r]);
+  }
+  for (int r = 0; r < 3; ++r) b.low[r] -= margin, b.high[r] += margin;
+  return b;
+}
+
+void join(Box& a, Box const& b) {
+  for (int r = 0; r < 3; ++r) a.low[r] = std::min(a.low[r], b.low[r]), a.high[r] = std::max(a.high[r], b.high[r]);
+}
+
+/// Drops the tets that no other body comes near. Worth it for a few bodies that are whole.
+void keep_near_others(Linkage const& link, std::vector<int>& tets, std::vector<Box>& boxes) {
+  constexpr int few = 16;
+  if (link.any_parted || link.bodies > few || tets.empty()) return;
+  std::vector<Box> around(link.bodies, Box{{1, 1, 1}, {-1, -1, -1}});
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    Box& b = around[link.body[tets[i]]];
+    if (b.low.x > b.high.x)
+      b = boxes[i];
+    else
+      join(b, boxes[i]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    bool near = false;
+    for (int k = 0; k < link.bodies; ++k) near |= k != link.body[tets[i]] && meet(boxes[i], around[k]);
+    if (near) tets[kept] = tets[i], boxes[kept] = boxes[i], ++kept;
+  }
+  tets.resize(kept), boxes.resize(kept);
+}
+
+/// Pairs of tets near each other and not linked, ascending.
+std::vector<std::pair<int, int>> near_pairs(Model const& m, State const& s, Linkage const& link, std::vector<int> tets,
+                                            double margin) {
+  std::vector<Box> boxes;
+  boxes.reserve(tets.size());
+  for (int const t : tets) boxes.push_back(box_of(m, s, t, margin));
+  keep_near_others(link, tets, boxes);
+  auto pairs = meeting_boxes(boxes);
+  std::erase_if(pairs, [&](auto const& p) { return are_linked(m, link, tets[p.first], tets[p.second]); });
+  for (auto& p : pairs) p = {tets[p.first], tets[p.second]};
+  return pairs;
+}
+
+/// The new list with the memories of the old one; both are sorted.
+void take_over(std::vector<ContactPair>& pairs, std::vector<std::pair<int, int>> const& now) {
+  std::vector<ContactPair> next(now.size());
+  auto old = pairs.begin();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    next[i].a = now[i].first, next[i].b = now[i].second;
+    while (old != pairs.end() && std::pair{old->a, old->b} < now[i]) ++old;
+    if (old != pairs.end() && old->a == next[i].a && old->b == next[i].b) next[i] = *old;
+  }
+  pairs = std::move(next);
+}
+
+double mass_of(Model const& m, int tet) {
+  double sum = 0;
+  for (int c = 0; c < 4; ++c) sum += m.mass[model::node_of(tet, c)];
+  return sum;
+}
+
+double largest_face(Model const& m, int tet) {
+  auto const x = mesh::corners(m.mesh, tet);
+  double most = 0;
+  for (auto const& f : mesh::face_corners)
+    most = std::max(most, 0.5 * norm(cross(x[f[1]] - x[f[0]], x[f[2]] - x[f[0]])));
+  return most;
+}
+
+/// p/h of a tet, as in its joints [Pa/m].
+double face_stiffness(Model const& m, int tet) {
+  auto const& c = m.source.concretes[m.material_of_tet[tet]];
+  return (c.penalty > 0 ? c.penalty : 20 * c.E) / geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, tet)));
+}
+
+double friction_of(Model const& m, int a, int b) {
+  auto const& contact = m.source.contact;
+  auto const &ca = m.source.concretes[m.material_of_tet[a]], &cb = m.source.concretes[m.material_of_tet[b]];
+  for (auto const& p : contact.pairs)
+    if ((p.materials[0] == ca.name && p.materials[1] == cb.name) ||
+        (p.materials[0] == cb.name && p.materials[1] == ca.name))
+      return p.friction;
+  return contact.friction >= 0 ? contact.friction : std::min(ca.friction, cb.friction);
+}
+
+/// Two springs in series, but no more than the step can bear: k_n A <= m_a m_b/(4 (m_a + m_b) dt^2).
+state::ContactScratch::PairConstants constants_of(Model const& m, ContactPair const& p) {
+  double const k_a = face_stiffness(m, p.a), k_b = face_stiffness(m, p.b);
+  double const m_a = mass_of(m, p.a), m_b = mass_of(m, p.b);
+  double const area = std::min(largest_face(m, p.a), largest_face(m, p.b));
+  double const limit = 0.25 * m_a * m_b / ((m_a + m_b) * m.dt * m.dt * area);
+  double const k_n = std::min(2 * k_a * k_b / (k_a + k_b), limit);
+  return {0.5 * k_n, friction_of(m, p.a, p.b)}; // the potential presses with 2 k g
+}
+
+/// Work arrays of the present pairs: constants, overlay slots, and who acts on which tet.
+void prepare(Model const& m, State const& s, Scratch& w) {
+  auto& c = w.contact;
+  auto const& pairs = s.contact.pairs;
+  c.constants.resize(pairs.size());
+  c.force.assign(pairs.size(), {});
+  parallel::for_chunks(pairs.size(), tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) c.constants[i] = constants_of(m, pairs[i]);
+  });
+  struct Meeting {
+    int tet, pair;
+    bool is_a;
+  };
+  std::vector<Meeting> all;
+  all.reserve(2 * pairs.size());
+  for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
+    all.push_back({pairs[i].a, i, true});
+    all.push_back({pairs[i].b, i, false});
+  }
+  std::sort(all.begin(), all.end(),
+            [](auto const& x, auto const& y) { return x.tet != y.tet ? x.tet < y.tet : x.pair < y.pair; });
+  c.hosts.clear(), c.entries.clear();
+  for (auto const& e : all) {
+    if (c.hosts.empty() || c.hosts.back().tet != e.tet) {
+      int const at = static_cast<int>(c.entries.size());
+      c.hosts.push_back({e.tet, w.overlay.slot_for(e.tet), at, at});
+    }
+    c.entries.push_back({e.pair, e.is_a});
+    c.hosts.back().end = static_cast<int>(c.entries.size());
+  }
+}
+
+double mean_size(Model const& m, std::vector<int> const& tets) {
+  double sum = 0;
+  for (int const t : tets) sum += geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, t)));
+  return tets.empty() ? 0 : sum / static_cast<double>(tets.size());
+}
+
+void search(Model const& m, State& s, Scratch& w) {
+  auto& c = s.contact;
+  Linkage const link = find_linkage(m, s);
+  c.is_due = 0;
+  c.travel = 0;
+  c.is_watching = link.bodies > 1 || link.any_parted;
+  w.contact.surface = c.is_watching ? surface_tets(m, s) : std::vector<int>{};
+  c.skin = skin_share * mean_size(m, w.contact.surface);
+  take_over(c.pairs, near_pairs(m, s, link, w.contact.surface, 0.5 * c.skin));
+  prepare(m, s, w);
+}
+
+} // namespace
+
+void refresh_pairs(Model const& m, State& s, Scratch& w) {
+  if (!m.source.contact.on || s.step % steps_between_looks != 0) return;
+  auto& c = s.contact;
+  if (c.is_watching) c.travel += static_cast<double>(steps_between_looks) * m.dt * fastest_node(s, w.contact.surface);
+  if (c.is_due || 2 * c.travel > skin_used * c.skin) search(m, s, w);
+}
+
+} // namespace fissura::contact

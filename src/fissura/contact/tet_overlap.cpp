@@ -1,0 +1,131 @@
+#include "fissura/contact/tet_overlap.hpp"
+
+#include <algorithm>
+
+#include "fissura/contact/polyhedron.hpp"
+
+namespace fissura::contact {
+
+namespace {
+
+using Values = std::array<double, Polyhedron::capacity>;
+
+/// Outward area vectors (twice the area) of the faces opposite to each corner.
+std::array<Vec3, 4> area_vectors(std::array<Vec3, 4> const& x) {
+  Vec3 const a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+  Vec3 const f1 = cross(c, b), f2 = cross(a, c), f3 = cross(b, a);
+  return {-(f1 + f2 + f3), f1, f2, f3};
+}
+
+double six_volumes(std::array<Vec3, 4> const& x) {
+  return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
+}
+
+bool all_outside(TetNow const& t, int face, std::array<Vec3, 4> const& points) {
+  return std::all_of(points.begin(), points.end(), [&](Vec3 p) { return t.lambda(face, p) <= 0; });
+}
+
+Polyhedron common_part(TetNow const& a, TetNow const& b) {
+  Polyhedron p(b.x);
+  Values value;
+  for (int f = 0; f < 4 && !p.empty(); ++f) {
+    for (int i = 0; i < p.count(); ++i) value[i] = a.lambda(f, p[i]);
+    p.keep_positive(value);
+  }
+  return p;
+}
+
+/// The part of a common volume over which one face of `owner` is the nearest.
+struct Share {
+  int face;
+  Solid solid;
+};
+struct Shares {
+  std::array<Share, 4> share;
+  int count = 0;
+};
+
+Shares split_by_nearest_face(Polyhedron const& p, Solid const& whole, TetNow const& owner) {
+  std::array<Values, 4> depth;
+  for (int f = 0; f < 4; ++f)
+    for (int i = 0; i < p.count(); ++i) depth[f][i] = owner.altitude[f] * owner.lambda(f, p[i]);
+  auto is_nearest_everywhere = [&](int f) {
+    for (int i = 0; i < p.count(); ++i)
+      for (int g = 0; g < 4; ++g)
+        if (depth[g][i] < depth[f][i]) return false;
+    return true;
+  };
+  Shares shares;
+  for (int f = 0; f < 4; ++f)
+    if (is_nearest_everywhere(f)) {
+      shares.share[shares.count++] = {f, whole};
+      return shares;
+    }
+  for (int f = 0; f < 4; ++f) {
+    Polyhedron part = p;
+    Values value;
+    for (int g = 0; g < 4 && !part.empty(); ++g) {
+      if (g == f) continue;
+      for (int i = 0; i < part.count(); ++i)
+        value[i] = owner.altitude[g] * owner.lambda(g, part[i]) - owner.altitude[f] * owner.lambda(f, part[i]);
+      part.keep_positive(value);
+    }
+    if (part.empty()) continue;
+    Solid const solid = part.solid();
+    if (solid.volume > 0) shares.share[shares.count++] = {f, solid};
+  }
+  return shares;
+}
+
+/// Adds what the potential of `owner` does to `other` inside it; `sense` is +1 where `other` is b.
+void press_out(Shares const& shares, TetNow const& owner, TetNow const& other, double sense, TetOverlap& sum,
+               std::array<Vec3, 4>& on_owner, std::array<Vec3, 4>& on_other) {
+  for (int i = 0; i < shares.count; ++i) {
+    auto const& [face, solid] = shares.share[i];
+    double const measure = solid.volume / other.stretch;
+    Vec3 const force = -(owner.altitude[face] * measure) * owner.gradient[face];
+    sum.energy += owner.altitude[face] * owner.lambda(face, solid.centroid) * measure;
+    sum.force += sense * force;
+    for (int c = 0; c < 4; ++c) {
+      on_other[c] += other.lambda(c, solid.centroid) * force;
+      on_owner[c] -= owner.lambda(c, solid.centroid) * force;
+    }
+  }
+}
+
+} // namespace
+
+TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& reference) {
+  TetNow t;
+  t.x = now;
+  double const volume = six_volumes(now), before = six_volumes(reference);
+  t.stretch = volume / before;
+  auto const area = area_vectors(now), area_before = area_vectors(reference);
+  for (int c = 0; c < 4; ++c) {
+    if (volume > 0) t.gradient[c] = (-1 / volume) * area[c];
+    t.altitude[c] = before / norm(area_before[c]);
+  }
+  return t;
+}
+
+bool are_apart(TetNow const& a, TetNow const& b) {
+  for (int f = 0; f < 4; ++f)
+    if (all_outside(a, f, b.x) || all_outside(b, f, a.x)) return true;
+  return false;
+}
+
+TetOverlap overlap(TetNow const& a, TetNow const& b) {
+  TetOverlap sum;
+  if (are_apart(a, b)) return sum;
+  Polyhedron const common = common_part(a, b);
+  if (common.empty()) return sum;
+  Solid const whole = common.solid();
+  if (!(whole.volume > 0)) return sum;
+  sum.volume = whole.volume;
+  sum.centroid = whole.centroid;
+  press_out(split_by_nearest_face(common, whole, a), a, b, 1, sum, sum.on_a, sum.on_b);
+  press_out(split_by_nearest_face(common, whole, b), b, a, -1, sum, sum.on_b, sum.on_a);
+  return sum;
+}
+
+} // namespace fissura::contact
