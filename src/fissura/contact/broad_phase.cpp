@@ -24,8 +24,8 @@ struct Entry {
   bool operator<(Entry const& e) const { return cell != e.cell ? cell < e.cell : box < e.box; }
 };
 
-/// Cells are numbered along x first, so the three cells around one in x are a range. Numbers end at 2^20 along
-/// each axis: what is farther away shares the last cell.
+/// Cells are numbered along x first, so the three cells around one in x are a range. Numbers end at 2^20
+/// along each axis: what is farther away shares the last cell.
 class Cells {
  public:
   Cells(Vec3 origin, double size) : origin_(origin), size_(size) {}
@@ -60,8 +60,8 @@ void add_if_meeting(std::vector<Box> const& boxes, int a, int b, Pairs& pairs) {
 }
 
 /// Pairs of the entries [begin, end) with what follows them in the half neighbourhood.
-void search(std::vector<Box> const& boxes, std::vector<Entry> const& entries, std::size_t begin, std::size_t end,
-            Pairs& pairs) {
+void search(std::vector<Box> const& boxes, std::vector<Entry> const& entries, std::size_t begin,
+            std::size_t end, Pairs& pairs) {
   for (std::size_t i = begin; i < end; ++i)
     for (std::size_t j = i + 1; j < entries.size() && entries[j].cell == entries[i].cell; ++j)
       add_if_meeting(boxes, entries[i].box, entries[j].box, pairs);
@@ -106,9 +106,10 @@ std::vector<std::pair<int, int>> meeting_boxes(std::vector<Box> const& boxes) {
   std::sort(entries.begin(), entries.end());
 
   std::vector<Pairs> found(parallel::chunks(entries.size(), boxes_per_chunk));
-  parallel::for_chunks(entries.size(), boxes_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    search(boxes, entries, begin, end, found[chunk]);
-  });
+  parallel::for_chunks(entries.size(), boxes_per_chunk,
+                       [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                         search(boxes, entries, begin, end, found[chunk]);
+                       });
   Pairs all;
   for (auto const& f : found) all.insert(all.end(), f.begin(), f.end());
   for (std::size_t l = 0; l < large.size(); ++l) {

@@ -1,6 +1,6 @@
 #pragma once
-// Which boxes meet: a grid of cells as large as the boxes, at a cost linear in their number. The few boxes that
-// are much larger than the rest are compared with all.
+// Which boxes meet: a grid of cells as large as the boxes, at a cost linear in their number. The few boxes
+// that are much larger than the rest are compared with all.
 #include <utility>
 #include <vector>
 

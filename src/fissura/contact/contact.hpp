@@ -1,6 +1,7 @@
 #pragma once
-// F_inter of Eq. (2): contact with friction between tets that are not joined (MODEL: bodies that are apart from
-// the start, fragments, and cracks whose faces have slid off each other). Theory: docs/theory/contact.md.
+// F_inter of Eq. (2): contact with friction between tets that are not joined (MODEL: bodies that are apart
+// from the start, fragments, and cracks whose faces have slid off each other). Theory:
+// docs/theory/contact.md.
 #include "fissura/model/model.hpp"
 #include "fissura/state/state.hpp"
 
@@ -13,8 +14,8 @@ void refresh_pairs(model::Model const& m, state::State& s, state::Scratch& w);
 /// Forces of all pairs at u_n into the overlay; memories and accounts (contact, contact_friction) move on.
 void pair_forces(model::Model const& m, state::State& s, state::Scratch& w);
 
-/// Throws core::InputError with the places where separate bodies overlap at the start by more than a thousandth
-/// of a tet.
+/// Throws core::InputError with the places where separate bodies overlap at the start by more than a
+/// thousandth of a tet.
 void check_start(model::Model const& m);
 
 } // namespace fissura::contact

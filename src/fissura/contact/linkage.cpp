@@ -29,7 +29,8 @@ class Sets {
 };
 
 /// Labels the tets around each point of a parted joint by the sets in which they still hold together.
-void label_around_parted(Model const& m, State const& s, std::vector<char> const& is_split, std::vector<int>& label) {
+void label_around_parted(Model const& m, State const& s, std::vector<char> const& is_split,
+                         std::vector<int>& label) {
   // Corners at split points, as a compact list, joined across every face that holds.
   std::vector<int> corner, place(label.size(), -1);
   for (std::size_t t = 0; t < m.mesh.tets.size(); ++t)
@@ -49,7 +50,8 @@ void label_around_parted(Model const& m, State const& s, std::vector<char> const
       if (joined) sets.join(a, place[4 * face.b.tet + face.corner_b[k]]);
     }
   }
-  for (std::size_t i = 0; i < corner.size(); ++i) label[corner[i]] = 1 + corner[sets.find(static_cast<int>(i))];
+  for (std::size_t i = 0; i < corner.size(); ++i)
+    label[corner[i]] = 1 + corner[sets.find(static_cast<int>(i))];
 }
 
 } // namespace

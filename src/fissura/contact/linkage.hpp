@@ -10,9 +10,10 @@ namespace fissura::contact {
 
 struct Linkage {
   int bodies = 1;
-  bool any_parted = false;       ///< some joint's faces have parted
-  std::vector<int> body;         ///< per tet
-  std::vector<int> around_point; ///< [tet][4]: tets joined to each other around a mesh point have the same label
+  bool any_parted = false; ///< some joint's faces have parted
+  std::vector<int> body;   ///< per tet
+  std::vector<int>
+      around_point; ///< [tet][4]: tets joined to each other around a mesh point have the same label
 };
 
 /// Whether a shared face still holds its two tets together.

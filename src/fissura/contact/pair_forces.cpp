@@ -82,12 +82,13 @@ void pair_forces(Model const& m, State& s, Scratch& w) {
     c.stored = 0;
     return;
   }
-  auto const sums =
-      parallel::sum_chunks<PairSums>(c.pairs.size(), pairs_per_chunk, [&](std::size_t begin, std::size_t end) {
-        PairSums sum;
-        for (std::size_t i = begin; i < end; ++i) sum += evaluate(m, s, w, i);
-        return sum;
-      });
+  auto const sums = parallel::sum_chunks<PairSums>(c.pairs.size(), pairs_per_chunk,
+                                                   [&](std::size_t begin, std::size_t end) {
+                                                     PairSums sum;
+                                                     for (std::size_t i = begin; i < end; ++i)
+                                                       sum += evaluate(m, s, w, i);
+                                                     return sum;
+                                                   });
   c.stored = sums.stored;
   s.ledger.contact_friction += sums.lost;
   parallel::for_chunks(w.contact.hosts.size(), hosts_per_chunk,

@@ -28,7 +28,8 @@ double let_go(ContactPair& memory) {
 }
 
 /// Friction force on a (b feels the opposite); `slide`: b relative to a over the step. Adds to `lost`.
-Vec3 friction_force(ContactPair& memory, double stiffness, Vec3 normal, double limit, Vec3 slide, double& lost) {
+Vec3 friction_force(ContactPair& memory, double stiffness, Vec3 normal, double limit, Vec3 slide,
+                    double& lost) {
   // A stiffer spring keeps its force, a softer one its stretch: neither gains energy.
   Vec3 const before = memory.stiffness * memory.stretch;
   double const held = 0.5 * memory.stiffness * square(memory.stretch);
@@ -51,7 +52,8 @@ Vec3 friction_force(ContactPair& memory, double stiffness, Vec3 normal, double l
 
 } // namespace
 
-PairResult pair_law(state::ContactScratch::PairConstants const& constants, PairNow const& now, ContactPair& memory) {
+PairResult pair_law(state::ContactScratch::PairConstants const& constants, PairNow const& now,
+                    ContactPair& memory) {
   PairResult r;
   TetOverlap const o = overlap(now.a, now.b);
   double const energy = constants.stiffness * o.energy;

@@ -1,6 +1,6 @@
 #pragma once
-// The law of one pair of overlapping tets: the potential of tet_overlap.hpp and Coulomb friction at the middle of
-// the overlap, with a tangential spring k_t = 2/7 k_n that remembers its stretch.
+// The law of one pair of overlapping tets: the potential of tet_overlap.hpp and Coulomb friction at the
+// middle of the overlap, with a tangential spring k_t = 2/7 k_n that remembers its stretch.
 #include <array>
 
 #include "fissura/contact/tet_overlap.hpp"
@@ -23,8 +23,8 @@ struct PairResult {
   double lost = 0;                        ///< to friction over the last step [J]
 };
 
-/// Evaluates the law and moves the memory on. A pair that overlaps when it is first looked at (an imperfect mesh,
-/// or faces that have just parted) starts without a force: the energy of that overlap is subtracted,
+/// Evaluates the law and moves the memory on. A pair that overlaps when it is first looked at (an imperfect
+/// mesh, or faces that have just parted) starts without a force: the energy of that overlap is subtracted,
 ///   E = (sqrt(E_overlap) - sqrt(E_start))^2,
 /// and E_start is forgotten as the overlap vanishes.
 PairResult pair_law(state::ContactScratch::PairConstants const& constants, PairNow const& now,

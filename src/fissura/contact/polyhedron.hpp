@@ -1,6 +1,6 @@
 #pragma once
-// Convex polyhedra for the common part of two tets: every corner has exactly three neighbours, also where it lies
-// on a plane that cut it, so no cut needs a special case.
+// Convex polyhedra for the common part of two tets: every corner has exactly three neighbours, also where it
+// lies on a plane that cut it, so no cut needs a special case.
 #include <array>
 #include <cstdint>
 
@@ -16,7 +16,8 @@ struct Solid {
 
 class Polyhedron {
  public:
-  /// At most 4 + 4 + 3 planes bound what is made here: 18 corners, and a cut adds fewer than it meets edges, 27.
+  /// At most 4 + 4 + 3 planes bound what is made here: 18 corners, and a cut adds fewer than it meets
+  /// edges, 27.
   static constexpr int capacity = 64;
 
   /// A tet of positive volume.

@@ -1,4 +1,6 @@
-// Bodies that stand in each other at the start: a mistake in the mesh that no spring should have to push apart.
+// Bodies that stand in each other at the start: a mistake in the mesh that no spring should have to push
+// apart.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "fissura/contact/broad_phase.hpp"
@@ -14,40 +16,11 @@ namespace {
 constexpr double admitted = 1e-3; ///< of the smaller tet's volume
 constexpr int told = 5;
 
-struct Body {
-  std::vector<int> of; ///< per tet
-  int count = 0;
-};
-
-/// Bodies of the mesh: tets joined through shared faces.
-Body mesh_bodies(model::Model const& m) {
-  Body b;
-  b.of.assign(m.mesh.tets.size(), -1);
-  std::vector<int> open;
-  for (int first = 0; first < static_cast<int>(b.of.size()); ++first) {
-    if (b.of[first] >= 0) continue;
-    b.of[first] = b.count;
-    open.push_back(first);
-    while (!open.empty()) {
-      int const t = open.back();
-      open.pop_back();
-      for (int const f : m.adjacency.shared_of_tet[t]) {
-        if (f < 0) continue;
-        auto const& face = m.adjacency.shared[f];
-        int const other = face.a.tet == t ? face.b.tet : face.a.tet;
-        if (b.of[other] < 0) b.of[other] = b.count, open.push_back(other);
-      }
-    }
-    ++b.count;
-  }
-  return b;
-}
-
 } // namespace
 
 void check_start(model::Model const& m) {
-  Body const body = mesh_bodies(m);
-  if (body.count < 2 || !m.source.contact.on) return;
+  auto const body = mesh::connected_bodies(m.mesh, m.adjacency);
+  if (!m.source.contact.on || *std::max_element(body.begin(), body.end()) == 0) return;
   std::vector<Box> boxes;
   for (int t = 0; t < m.tet_count(); ++t) {
     auto const x = mesh::corners(m.mesh, t);
@@ -59,7 +32,7 @@ void check_start(model::Model const& m) {
   std::string places;
   int found = 0;
   for (auto const& [i, k] : meeting_boxes(boxes)) {
-    if (body.of[i] == body.of[k]) continue;
+    if (body[i] == body[k]) continue;
     auto const a = mesh::corners(m.mesh, i), b = mesh::corners(m.mesh, k);
     auto const o = overlap(make_tet_now(a, a), make_tet_now(b, b));
     if (!(o.volume > admitted * std::min(geometry::volume(a), geometry::volume(b)))) continue;
@@ -68,10 +41,11 @@ void check_start(model::Model const& m) {
                             m.mesh.input_id[i], m.mesh.input_id[k], o.centroid.x, o.centroid.y, o.centroid.z);
   }
   if (found > 0)
-    throw core::InputError(m.source.mesh.place,
-                           fmt::format("bodies overlap at the start in {} place{}: {}{}; move them apart (touching is "
-                                       "fine), or join them to one mesh",
-                                       found, found > 1 ? "s" : "", places, found > told ? "; ..." : ""));
+    throw core::InputError(
+        m.source.mesh.place,
+        fmt::format("bodies overlap at the start in {} place{}: {}{}; move them apart (touching is "
+                    "fine), or join them to one mesh",
+                    found, found > 1 ? "s" : "", places, found > told ? "; ..." : ""));
 }
 
 } // namespace fissura::contact

@@ -67,7 +67,8 @@ Shares split_by_nearest_face(Polyhedron const& p, Solid const& whole, TetNow con
     for (int g = 0; g < 4 && !part.empty(); ++g) {
       if (g == f) continue;
       for (int i = 0; i < part.count(); ++i)
-        value[i] = owner.altitude[g] * owner.lambda(g, part[i]) - owner.altitude[f] * owner.lambda(f, part[i]);
+        value[i] =
+            owner.altitude[g] * owner.lambda(g, part[i]) - owner.altitude[f] * owner.lambda(f, part[i]);
       part.keep_positive(value);
     }
     if (part.empty()) continue;

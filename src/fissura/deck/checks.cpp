@@ -186,6 +186,10 @@ void check_materials(Reader& reader) {
               rest->name, m.name));
     rest = &m;
   }
+  Names const names = names_of(c.concretes);
+  for (auto const& p : c.contact_pairs)
+    for (auto const& name : p.materials)
+      check_reference(reader, &p, "materials", name, names, "[[concrete]]");
 }
 
 void check_mesh(Reader& reader) {

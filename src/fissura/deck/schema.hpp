@@ -85,6 +85,7 @@ std::vector<Section> material_sections();
 std::vector<Section> bar_sections();
 std::vector<Section> load_sections();
 std::vector<Section> rigid_sections();
+std::vector<Section> contact_sections();
 std::vector<Section> run_sections();
 std::vector<Section> gauge_sections();
 

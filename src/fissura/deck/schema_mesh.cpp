@@ -92,6 +92,9 @@ Section mesh_section() {
       .not_negative()
       .echoed_if(has_file);
   // The echo lies in the run's folder and names the file by its full path: it must allow that.
+  f.flag("separate", &MeshSpec::separate,
+         "`true`: bodies of the file that touch without matching faces are apart and meet by contact.")
+      .echoed_if(has_file);
   f.custom(
        "allow_outside", "`true` or `false`", "Lets `file` lie outside the folder of the deck.",
        [](Reader& r, Node const& n, Key const& k, MeshSpec& m) {
@@ -145,6 +148,9 @@ Section box_section() {
   s.finish = finish_box;
   Fields<BoxSpec> f(s.keys);
   f.name("name", &BoxSpec::name, "Volume group of its tetrahedra.");
+  f.name("body", &BoxSpec::body,
+         "Boxes of different bodies are not joined; they touch by contact, and their cells need not match.")
+      .default_is("one body");
   f.point("from", &BoxSpec::from, "One corner.").required();
   f.point("to", &BoxSpec::to, "The opposite corner.").required();
   f.custom("cells", "three whole numbers", "Cells along x, y and z; at most 5e7 in all.", read_cells,

@@ -100,4 +100,28 @@ Adjacency make_adjacency(Mesh const& mesh) {
   return adjacency;
 }
 
+std::vector<int> connected_bodies(Mesh const& mesh, Adjacency const& adjacency) {
+  std::vector<int> body(mesh.tets.size(), -1), open;
+  int count = 0;
+  for (int first = 0; first < static_cast<int>(body.size()); ++first) {
+    if (body[first] >= 0) continue;
+    body[first] = count;
+    open.push_back(first);
+    while (!open.empty()) {
+      int const tet = open.back();
+      open.pop_back();
+      for (int const f : adjacency.shared_of_tet[tet]) {
+        if (f < 0) continue;
+        auto const& face = adjacency.shared[f];
+        int const other = face.a.tet == tet ? face.b.tet : face.a.tet;
+        if (body[other] >= 0) continue;
+        body[other] = count;
+        open.push_back(other);
+      }
+    }
+    ++count;
+  }
+  return body;
+}
+
 } // namespace fissura::mesh

@@ -210,15 +210,36 @@ void drop_inner(Sides& sides) {
     });
 }
 
+/// For each point of all blocks the first one at its place, within each body on its own.
+std::vector<int> first_at_each_place(std::vector<Block> const& blocks, std::vector<int> const& body,
+                                     double tolerance) {
+  std::vector<int> first;
+  for (auto const& block : blocks)
+    for (std::size_t i = 0; i < block.points.size(); ++i) first.push_back(static_cast<int>(first.size()));
+  if (blocks.size() == 1) return first;
+  for (int b = 0; b <= *std::max_element(body.begin(), body.end()); ++b) {
+    std::vector<Vec3> points;
+    std::vector<int> number;
+    int from = 0;
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+      for (std::size_t i = 0; i < blocks[n].points.size() && body[n] == b; ++i) {
+        points.push_back(blocks[n].points[i]);
+        number.push_back(from + static_cast<int>(i));
+      }
+      from += static_cast<int>(blocks[n].points.size());
+    }
+    auto const local = find_coincident(points, tolerance);
+    for (std::size_t i = 0; i < local.size(); ++i) first[number[i]] = number[local[i]];
+  }
+  return first;
+}
+
 /// Numbers of the blocks' points in the whole mesh; fills mesh.points.
-std::vector<std::vector<int>> merge_points(std::vector<Block> const& blocks, double tolerance, Mesh& mesh) {
+std::vector<std::vector<int>> merge_points(std::vector<Block> const& blocks, std::vector<int> const& body,
+                                           double tolerance, Mesh& mesh) {
   std::vector<Vec3> all;
   for (auto const& block : blocks) all.insert(all.end(), block.points.begin(), block.points.end());
-  std::vector<int> first(all.size());
-  if (blocks.size() > 1)
-    first = find_coincident(all, tolerance);
-  else
-    for (std::size_t i = 0; i < all.size(); ++i) first[i] = static_cast<int>(i);
+  auto const first = first_at_each_place(blocks, body, tolerance);
   std::vector<int> number(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (first[i] == static_cast<int>(i)) {
@@ -257,7 +278,10 @@ Mesh make_boxes(std::span<BoxCells const> boxes) {
   std::vector<Block> blocks;
   for (auto const& b : boxes) blocks.push_back(make_block(b));
   Mesh mesh;
-  auto const global = merge_points(blocks, tolerance, mesh);
+  std::vector<std::string> names;
+  std::vector<int> body;
+  for (auto const& b : boxes) body.push_back(group_number(names, b.body));
+  auto const global = merge_points(blocks, body, tolerance, mesh);
   std::vector<Sides> sides; // by volume group
   for (std::size_t n = 0; n < boxes.size(); ++n) {
     int const group = group_number(mesh.volume_groups, boxes[n].name);
@@ -267,6 +291,7 @@ Mesh make_boxes(std::span<BoxCells const> boxes) {
       mesh.input_id.push_back(static_cast<int>(mesh.tets.size()));
       mesh.tets.push_back({global[n][t[0]], global[n][t[1]], global[n][t[2]], global[n][t[3]]});
       mesh.tet_group.push_back(group);
+      mesh.tet_body.push_back(body[n]);
     }
   }
   for (std::size_t g = 0; g < sides.size(); ++g) {

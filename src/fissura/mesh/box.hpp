@@ -17,10 +17,11 @@ struct BoxCells {
   int tets_per_cell = 6; ///< 6 (Kuhn, all diagonals alike) or 24 (cell centre and face centres)
   std::array<double, 3> grading{1, 1, 1}; ///< last cell length / first cell length along each axis
   core::Place place;                      ///< named in errors
+  std::string body;                       ///< boxes of different bodies are not joined
 };
 
 /// One mesh of all boxes. Points of different boxes closer than 1e-9 of the largest extent are one point, so
-/// boxes whose cells match on a common side are joined. Boxes of one name are one volume group. The sides of
+/// boxes of one body whose cells match on a common side are joined. Boxes of one name are one volume group. The sides of
 /// the boxes of a name are the face groups "<name>.x-", "<name>.x+", "<name>.y-", ...; a side between two
 /// boxes of the same name belongs to none, a side between two names to both. Tets are numbered box by box,
 /// cell by cell (x fastest). Throws core::InputError for impossible numbers and for boxes that overlap.

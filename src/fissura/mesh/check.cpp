@@ -163,12 +163,14 @@ void check_folds(Mesh const& m, Adjacency const& adjacency, Findings& findings) 
 void check_overlaps(Mesh const& m, Adjacency const& adjacency, Findings& findings) {
   Cases cases;
   for (auto const& o : find_overlaps(m, adjacency)) {
-    if (o.coincident) continue;
+    if (o.coincident || (!m.tet_body.empty() && m.tet_body[o.a.tet] != m.tet_body[o.b.tet])) continue;
     cases.add(fmt::format("tets {} and {} at {}", number_of(m, o.a.tet), number_of(m, o.b.tet), at(o.place)));
   }
-  findings.add(cases,
-               "pairs of boundary faces that overlap without matching (hanging faces: the cells of touching "
-               "boxes must match, and no node may lie inside a face or on its edge)");
+  findings.add(
+      cases,
+      "pairs of boundary faces that overlap without matching (hanging faces: the cells of touching "
+      "boxes must match, and no node may lie inside a face or on its edge; to let them touch by contact, "
+      "give the boxes different `body` names, or set separate = true in [mesh] for a file)");
 }
 
 void check_surface_groups(Mesh const& m, Findings& findings) {

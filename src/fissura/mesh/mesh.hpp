@@ -32,6 +32,7 @@ struct Mesh {
   std::vector<std::array<int, 4>> tets;      ///< point indices, positive volume
   std::vector<int> tet_group;                ///< per tet: index into volume_groups
   std::vector<std::string> volume_groups;    ///< at least one
+  std::vector<int> tet_body;                 ///< per tet: what is not joined to other bodies; empty: one body
   std::vector<FaceGroup> face_groups;
   std::vector<LineGroup> line_groups;
   std::vector<PointGroup> point_groups;
@@ -60,6 +61,9 @@ struct Adjacency {
 
 /// Throws core::InputError where more than two tets share a face.
 Adjacency make_adjacency(Mesh const& mesh);
+
+/// Per tet the number of its body: tets joined through shared faces, numbered by their first tets.
+std::vector<int> connected_bodies(Mesh const& mesh, Adjacency const& adjacency);
 
 inline std::array<Vec3, 4> corners(Mesh const& m, int tet) {
   auto const& t = m.tets[tet];

@@ -117,6 +117,7 @@ void renumber(Mesh& mesh) {
   auto const order = order_along_curve(mesh);
   reorder(mesh.tets, order);
   reorder(mesh.tet_group, order);
+  if (!mesh.tet_body.empty()) reorder(mesh.tet_body, order);
   reorder(mesh.input_id, order);
   std::vector<int> number(mesh.points.size(), -1);
   int count = 0;

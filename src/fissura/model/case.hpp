@@ -19,6 +19,7 @@ using core::Place;
 struct BoxSpec {
   Place place;
   std::string name = "concrete"; ///< volume group of its tets
+  std::string body;              ///< boxes of different bodies are not joined: they touch by contact
   Vec3 from, to;                 ///< opposite corners [m]
   std::array<int, 3> cells{1, 1, 1};
   int tets_per_cell = 6;                  ///< 6 (Kuhn) or 24
@@ -30,6 +31,7 @@ struct MeshSpec {
   std::string file;        ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
   double length_unit = 1;  ///< metres per length unit of the file
   double element_size = 0; ///< target size for .geo [m]; 0 = as the file says
+  bool separate = false;      ///< touching bodies of the file whose faces do not match meet by contact
   bool allow_outside = false; ///< the file may lie outside the deck's folder
 };
 
@@ -242,6 +244,17 @@ struct InitialVelocitySpec {
   Place place;
   Selector where; ///< tets by centroid; kinds plane, point, line: nodes
   Vec3 velocity;  ///< [m/s]
+// ---- contact
+// --------------------------------------------------------------------------------------------------
+struct ContactSpec {
+  bool on = true;
+  Place place;
+  double friction = -1; ///< mu between bodies and fragments; < 0: the smaller one of the two concretes
+};
+struct ContactPairSpec { ///< friction between two materials
+  Place place;
+  std::vector<std::string> materials; ///< two names; the same twice is allowed
+  double friction = 0;
 };
 
 // ---- run
@@ -328,6 +341,8 @@ struct Case {
   std::vector<PlaneSpec> planes;
   std::vector<ImpactorSpec> impactors;
   std::vector<InitialVelocitySpec> initial_velocities;
+  ContactSpec contact;
+  std::vector<ContactPairSpec> contact_pairs;
   std::vector<StageSpec> stages; ///< in order; empty = one stage "run" of end_time
   RunSpec run;
   std::vector<GaugeSpec> gauges;

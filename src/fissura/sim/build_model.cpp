@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fissura/contact/rigid.hpp"
+#include "fissura/contact/contact.hpp"
 #include "fissura/mesh/box.hpp"
 #include "fissura/mesh/check.hpp"
 #include "fissura/mesh/gmsh_reader.hpp"
@@ -22,10 +23,14 @@ using model::Model;
 namespace {
 
 mesh::Mesh make_mesh(model::MeshSpec const& spec) {
-  if (!spec.file.empty()) return mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
+  if (!spec.file.empty()) {
+    auto mesh = mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
+    if (spec.separate) mesh.tet_body = mesh::connected_bodies(mesh, mesh::make_adjacency(mesh));
+    return mesh;
+  }
   std::vector<mesh::BoxCells> boxes;
   for (auto const& b : spec.boxes)
-    boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place});
+    boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place, b.body});
   return mesh::make_boxes(boxes);
 }
 
@@ -98,6 +103,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   build_rigid(m);
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
+  contact::check_start(m);
   choose_step(m);
   note_assumptions(m, report);
   return m;

@@ -4,6 +4,7 @@
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/contact/rigid.hpp"
+#include "fissura/contact/contact.hpp"
 #include "fissura/loads/loads.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/start.hpp"
@@ -50,12 +51,14 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   Vec3 const gravity = loads::gravity_at(m, s, s.time);
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
 
+  contact::refresh_pairs(m, s, w);  // only when its skin is used up
   concrete::joint_forces(m, s, w);  // F_conc,JE  Eqs. 13-19
   rebar::bar_joint_forces(m, s, w); // F_rc,JE    Eqs. 20-27
   rebar::bar_forces(m, s, w);       // F_rc,FE    Eqs. 3-5
   w.overlay.clear();
   rebar::gather_bar_forces(m, w); //            to the corners of the host tets
   contact::rigid_forces(m, s, w); // F_inter   with planes and impactors
+  contact::pair_forces(m, s, w);  // F_inter
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1

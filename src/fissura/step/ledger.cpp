@@ -45,6 +45,7 @@ EnergyBalance read_stored(model::Model const& m, state::State const& s) {
   e.dowel = bars.dowel;
   e.rupture = bars.rupture;
   e.contact += contact::rigid_energy(m, s);
+  e.contact = s.contact.stored;
   return e;
 }
 

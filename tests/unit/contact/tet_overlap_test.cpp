@@ -46,7 +46,8 @@ TEST(Polyhedron, loses_what_a_plane_cuts_off) {
   EXPECT_TRUE(p.empty());
 }
 
-// Requirement: cutting by a plane through corners and edges, where values are exactly zero, keeps a closed body.
+// Requirement: cutting by a plane through corners and edges, where values are exactly zero, keeps a closed
+// body.
 TEST(Polyhedron, stays_closed_when_a_plane_goes_through_its_corners) {
   Polyhedron p(corner);
   std::array<double, Polyhedron::capacity> value{};
@@ -64,7 +65,8 @@ TEST(TetOverlap, measures_the_common_volume) {
   EXPECT_NEAR(half.volume, 1.0 / 6 / 8, 1e-15); // the corner at x = 1, halved in size
   support::Random random(3);
   for (int i = 0; i < 200; ++i) {
-    auto const a = unstrained(random_tet(random, {})), b = unstrained(random_tet(random, random.vector(-0.3, 0.3)));
+    auto const a = unstrained(random_tet(random, {})),
+               b = unstrained(random_tet(random, random.vector(-0.3, 0.3)));
     auto const ab = overlap(a, b), ba = overlap(b, a);
     EXPECT_NEAR(ab.volume, ba.volume, 1e-14);
     EXPECT_NEAR(ab.energy, ba.energy, 1e-14);
@@ -77,13 +79,15 @@ TEST(TetOverlap, is_a_linear_spring_between_flat_faces) {
   double const g = 1e-5;
   Tet const below{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0.2, 0.2, -1}};
   Tet const above{Vec3{0, 0, -g}, Vec3{0, 1, -g}, Vec3{1, 0, -g}, Vec3{0.2, 0.2, 1}};
-  auto const a = unstrained({below[0], below[2], below[1], below[3]}), b = unstrained({above[0], above[2], above[1], above[3]});
+  auto const a = unstrained({below[0], below[2], below[1], below[3]}),
+             b = unstrained({above[0], above[2], above[1], above[3]});
   auto const o = overlap(a, b);
   EXPECT_NEAR(o.energy, 0.5 * g * g, 0.5 * g * g * 1e-4);
   EXPECT_NEAR(o.force.z, 2 * 0.5 * g, 0.5 * g * 1e-3);
 }
 
-// Requirement: the forces on all eight corners are minus the gradient of the energy, for every kind of overlap.
+// Requirement: the forces on all eight corners are minus the gradient of the energy, for every kind of
+// overlap.
 TEST(TetOverlap, forces_are_the_gradient_of_the_energy) {
   support::Random random(11);
   int tried = 0;

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "fissura/parallel/parallel.hpp"
+#include "support/two_blocks.hpp"
+
+namespace fissura {
+namespace {
+
+using support::motion_of;
+using support::Stepper;
+
+/// A block flies at another one; where they meet is up to the offset.
+struct Collision {
+  Stepper t;
+  support::Motion before;
+  double energy_before = 0, largest_contact = 0, worst_energy = 0;
+
+  Collision(Vec3 offset, Vec3 velocity, bool joints, double friction = 0)
+      : t(support::two_blocks(
+            support::block_of("a", {0, 0, 0}, {0.2, 0.2, 0.2}, {6, 6, 6}),
+            support::block_of("b", Vec3{0.201, 0, 0} + offset, Vec3{0.401, 0.15, 0.15} + offset, {5, 5, 5}),
+            friction, joints)) {
+    support::set_velocity(t, 1, velocity);
+    before = motion_of(t);
+    energy_before = before.kinetic;
+  }
+  void fly(double time) {
+    constexpr int readings = 20;
+    for (int i = 0; i < readings; ++i) {
+      t.advance(static_cast<long>(time / t.m.dt / readings));
+      auto const& e = t.read();
+      worst_energy =
+          std::max(worst_energy, std::abs(e.held() + e.dissipated() - energy_before) / energy_before);
+      largest_contact = std::max(largest_contact, e.contact);
+    }
+  }
+};
+
+void expect_conserved(Collision& c, double angular) {
+  c.fly(0.04);
+  auto const after = motion_of(c.t);
+  double const size = norm(c.before.momentum);
+  EXPECT_GT(c.largest_contact, 1e-4 * c.energy_before) << "they have not met";
+  EXPECT_EQ(c.t.s.contact.stored, 0) << "they have not parted";
+  EXPECT_LE(c.worst_energy, 1e-3);
+  EXPECT_LE(norm(after.momentum - c.before.momentum), 1e-12 * size);
+  EXPECT_LE(norm(after.spin - c.before.spin), angular * size * 0.4);
+}
+
+// Requirement: a frictionless head-on collision of elastic blocks conserves energy to 0.1 %, linear momentum
+// to 1e-12 and, without joints, angular momentum to 1e-10.
+TEST(Collision, head_on_conserves) {
+  Collision c({0, 0.021, 0.033}, {-1, 0, 0}, false);
+  expect_conserved(c, 1e-10);
+  EXPECT_LT(motion_of(c.t, 0).momentum.x, 0) << "the block that was hit flies off";
+}
+
+// Requirement: so does an oblique one in which an edge meets a face and the blocks spin afterwards.
+TEST(Collision, oblique_conserves) {
+  Collision c({0.001, 0.11, 0.12}, {-1, -0.5, 0.25}, false);
+  expect_conserved(c, 1e-10);
+}
+
+// Requirement: with joints between the tets angular momentum holds to 1e-6.
+TEST(Collision, with_joints_conserves) {
+  Collision c({0, 0.021, 0.033}, {-1, 0, 0}, true);
+  expect_conserved(c, 1e-6);
+}
+
+// Requirement: friction between colliding blocks only takes energy, and its account closes the balance.
+TEST(Collision, friction_only_takes_energy) {
+  Collision c({0, 0.02, 0.03}, {-1, 0.6, 0}, false, 0.5);
+  double lost = 0;
+  for (int i = 0; i < 30; ++i) {
+    c.fly(0.001);
+    EXPECT_GE(c.t.s.ledger.contact_friction, lost);
+    lost = c.t.s.ledger.contact_friction;
+  }
+  EXPECT_GT(lost, 1e-3 * c.energy_before);
+  EXPECT_LE(c.worst_energy, 1e-3);
+}
+
+// Requirement: a collision with friction leaves the same bits on 1, 2 and 3 threads.
+TEST(Collision, is_the_same_on_any_number_of_threads) {
+  std::vector<double> reference;
+  for (int threads : {1, 2, 3}) {
+    parallel::Threads const guard(threads);
+    Collision c({0, 0.02, 0.03}, {-1, 0.6, 0}, false, 0.5);
+    c.t.advance(static_cast<long>(4e-3 / c.t.m.dt));
+    std::vector<double> u(c.t.s.u.begin(), c.t.s.u.end());
+    if (reference.empty()) reference = u;
+    EXPECT_EQ(u, reference) << threads;
+    EXPECT_GT(c.t.s.contact.pairs.size(), 0u);
+  }
+}
+
+} // namespace
+} // namespace fissura
