@@ -73,7 +73,7 @@ NodeForces balancing_forces(std::array<Vec3, 3> const& mid, std::array<Vec3, 3> 
 }
 
 /// The load that a crack-face pair gives up goes to contact, which takes it up as the faces close; what the
-/// pair held for it is lost to friction.
+/// pair held for it one step ago is lost to friction.
 void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) {
   auto const& j = m.joints.joints[joint];
   auto& history = s.joint_history[joint];
@@ -82,7 +82,7 @@ void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) 
   for (int q = 0; q < 3; ++q)
     history.dissipated.friction +=
         (share - history.handed_over) * j.area / 3 *
-        laws::cohesive_stored(m.joints.law[joint], history.point[q], now.at[q], true);
+        laws::cohesive_stored(m.joints.law[joint], history.point[q], history.last[q], true);
   history.handed_over = share;
   auto const status = share < 1 ? JointStatus::parting : JointStatus::released;
   if (s.joint_status[joint] == static_cast<std::uint8_t>(status)) return;
@@ -134,6 +134,7 @@ void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint
   JointKinematics const now = joint_kinematics(m, s, joint);
   if (was == JointStatus::intact) history.last = joint_kinematics(m, s, joint, m.dt).at;
   bool const broken = was >= JointStatus::broken;
+  if (broken) hand_over(m, s, joint, now);
   double const kept = 1 - history.handed_over;
 
   std::array<Vec3, 3> traction;
@@ -162,12 +163,10 @@ void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint
   store(on_a, force);
   store(on_b, opposite);
 
-  if (broken) {
-    hand_over(m, s, joint, now);
-  } else if (all_failed) {
+  if (all_failed && !broken) {
     s.joint_status[joint] = static_cast<std::uint8_t>(JointStatus::broken);
     history.time_of_failure = s.time;
-  } else {
+  } else if (!broken) {
     s.joint_status[joint] = static_cast<std::uint8_t>(JointStatus::damaged);
   }
 }

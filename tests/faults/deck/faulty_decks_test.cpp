@@ -91,6 +91,12 @@ std::vector<Fault> const faults{
      "11:1: error: a deck may have several `steel`: write [[steel]] with double brackets"},
     {"double for single brackets", "[[stop]]", "[[run]]\nend_time = \"1 s\"\n[[stop]]",
      "48:1: error: `run` stands once: write [run] with single brackets"},
+    {"friction between a material that is not there", "[[stop]]",
+     "[[contact_pair]]\nmaterials = [\"C30\", \"C40\"]\nfriction = 0.3\n[[stop]]",
+     "49:13: error: `materials`: no [[concrete]] is named \"C40\"; did you mean"},
+    {"friction between three materials", "[[stop]]",
+     "[[contact_pair]]\nmaterials = [\"C30\", \"C30\", \"C30\"]\nfriction = 0.3\n[[stop]]",
+     "48:1: error: `materials` of a [[contact_pair]] names two concretes"},
     // Units.
     {"number without unit", "E = \"30 GPa\"", "E = 30e9",
      "8:5: error: `E` needs a unit: a pressure as text, e.g. \"30 GPa\" (30000000000 in SI units is \"30 "

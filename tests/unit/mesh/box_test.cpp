@@ -137,5 +137,21 @@ TEST(RandomMesh, valid_and_repeatable) {
   }
 }
 
+// Requirement: touching boxes of one body share points and faces, of different bodies none, also where their cells
+// match; tets know their body after the mesh is made.
+TEST(Boxes, of_different_bodies_are_not_joined) {
+  auto left = box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}), right = box({1, 0, 0}, {2, 1, 1}, {1, 1, 1});
+  std::vector<BoxCells> boxes{left, right};
+  Mesh const joined = make_boxes(boxes);
+  EXPECT_EQ(joined.points.size(), 12u);
+  auto const one = connected_bodies(joined, make_adjacency(joined));
+  EXPECT_EQ(*std::max_element(one.begin(), one.end()), 0);
+  boxes[1].body = "other";
+  Mesh const apart = make_boxes(boxes);
+  EXPECT_EQ(apart.points.size(), 16u);
+  EXPECT_EQ(connected_bodies(apart, make_adjacency(apart)), apart.tet_body);
+  EXPECT_EQ(apart.tet_body.back(), 1);
+}
+
 } // namespace
 } // namespace fissura::mesh

@@ -55,13 +55,13 @@ TEST(JointBalance, intact_joints) {
   expect_balance(x, 1e-6);
 }
 
-// Requirement: the same holds for damaged and broken joints.
+// Requirement: damaged and broken joints balance their moments too, to rounding.
 TEST(JointBalance, damaged_joints) {
   Shaken x(plain_concrete(), 1e-4);
   auto const n = concrete::count_joints(x.m, x.s);
   EXPECT_GT(n.damaged, x.m.joint_count() / 2);
   EXPECT_GT(n.broken, 0);
-  expect_balance(x, 1e-3);
+  expect_balance(x, 1e-12);
 }
 
 // Requirement: the force on each node of a joint is the sum of traction times area/6 over its two mid-edges:

@@ -94,5 +94,35 @@ TEST(Collision, is_the_same_on_any_number_of_threads) {
   }
 }
 
+/// A block of concrete flies at a held one and breaks to pieces.
+model::Case shattering() {
+  auto c = support::box_case({1, 1, 1}, {1, 1, 1}, 1);
+  auto wall = support::plain_concrete(), block = wall;
+  wall.name = "wall", wall.groups = {"wall"}, wall.crackable = false;
+  block.name = "block", block.groups = {"block"}, block.G_f = 20;
+  c.concretes = {wall, block};
+  c.mesh.boxes = {support::block_of("wall", {0, 0, 0}, {0.1, 0.2, 0.2}, {1, 2, 2}),
+                  support::block_of("block", {0.1005, 0.05, 0.03}, {0.2505, 0.15, 0.13}, {6, 4, 4})};
+  c.supports = {support::support_at("held", support::plane(0, 0), {true, true, true})};
+  return c;
+}
+
+// Requirement: while a block shatters on a wall and its fragments hit each other, the ledger closes within
+// 1e-3 of the energy of the impact, and the kinetic energy never exceeds what there was at the start.
+TEST(Collision, shattering_creates_no_energy) {
+  Stepper t(shattering());
+  support::set_velocity(t, 1, {-20, 1, 2});
+  double const energy = motion_of(t).kinetic;
+  double worst = 0;
+  for (int i = 0; i < 700; ++i) {
+    t.advance(9);
+    auto const& e = t.read();
+    EXPECT_LE(e.kinetic, energy * (1 + 1e-3));
+    worst = std::max(worst, std::abs(energy + e.work() - e.held() - e.dissipated()) / energy);
+  }
+  EXPECT_LE(worst, 1e-3);
+  EXPECT_GT(concrete::count_joints(t.m, t.s).released, 10);
+}
+
 } // namespace
 } // namespace fissura

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "fissura/contact/contact.hpp"
+#include "fissura/core/error.hpp"
+#include "support/concrete_model.hpp"
+
+namespace fissura::contact {
+namespace {
+
+/// Two cubes of one mesh, the second one turned by 45 degrees and moved.
+model::Model two_cubes(double gap) {
+  mesh::Mesh m = support::box_mesh({1, 1, 1}, {0.1, 0.1, 0.1});
+  mesh::Mesh const other = m;
+  int const points = static_cast<int>(m.points.size());
+  double const half_diagonal = 0.1 * std::sqrt(0.5);
+  for (Vec3 const p : other.points) {
+    double const x = p.x - 0.05, y = p.y - 0.05, r = std::sqrt(0.5);
+    m.points.push_back({0.1 + gap + half_diagonal + r * (x - y), 0.05 + r * (x + y), p.z + 0.013});
+  }
+  for (auto tet : other.tets) {
+    for (int& p : tet) p += points;
+    m.tets.push_back(tet);
+    m.tet_group.push_back(0);
+    m.input_id.push_back(static_cast<int>(m.input_id.size()));
+  }
+  auto model = support::concrete_model(m);
+  model.source.mesh.place = {"case.toml", 4, 1};
+  return model;
+}
+
+// Requirement: an edge that touches a face at the start is fine, one that stands 5 mm in it is refused with
+// the place in the deck, the tets and the coordinates; contact switched off asks nothing.
+TEST(Start, refuses_bodies_that_stand_in_each_other) {
+  EXPECT_NO_THROW(check_start(two_cubes(0)));
+  EXPECT_NO_THROW(check_start(two_cubes(0.01)));
+  auto deep = two_cubes(-0.005);
+  try {
+    check_start(deep);
+    ADD_FAILURE() << "the overlap was accepted";
+  } catch (core::InputError const& e) {
+    EXPECT_EQ(e.diagnostics.at(0).place.line, 4);
+    std::string const what = e.what();
+    for (char const* word : {"overlap at the start", "tets ", "at (0.09", "move them apart"})
+      EXPECT_NE(what.find(word), std::string::npos) << word << " in: " << what;
+  }
+  deep.source.contact.on = false;
+  EXPECT_NO_THROW(check_start(deep));
+}
+
+} // namespace
+} // namespace fissura::contact
