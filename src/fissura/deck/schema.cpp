@@ -41,10 +41,8 @@ std::string title(Section const& section) {
 std::vector<Section> const& schema() {
   static std::vector<Section> const sections = [] {
     std::vector<Section> all{top_section()};
-    for (auto part : {mesh_sections, material_sections, bar_sections, load_sections, rigid_sections,
-                      run_sections, gauge_sections})
-    for (auto part :
-         {mesh_sections, material_sections, bar_sections, load_sections, contact_sections, run_sections, gauge_sections})
+    for (auto part : {mesh_sections, material_sections, bar_sections, load_sections, contact_sections,
+                      rigid_sections, run_sections, gauge_sections})
       for (auto& section : part()) all.push_back(std::move(section));
     return all;
   }();

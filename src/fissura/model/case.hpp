@@ -244,6 +244,8 @@ struct InitialVelocitySpec {
   Place place;
   Selector where; ///< tets by centroid; kinds plane, point, line: nodes
   Vec3 velocity;  ///< [m/s]
+};
+
 // ---- contact
 // --------------------------------------------------------------------------------------------------
 struct ContactSpec {

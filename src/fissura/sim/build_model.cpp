@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "fissura/contact/rigid.hpp"
 #include "fissura/contact/contact.hpp"
+#include "fissura/contact/rigid.hpp"
 #include "fissura/mesh/box.hpp"
 #include "fissura/mesh/check.hpp"
 #include "fissura/mesh/gmsh_reader.hpp"

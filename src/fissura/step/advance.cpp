@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fissura/concrete/concrete.hpp"
-#include "fissura/contact/rigid.hpp"
 #include "fissura/contact/contact.hpp"
+#include "fissura/contact/rigid.hpp"
 #include "fissura/loads/loads.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/start.hpp"
@@ -57,8 +57,8 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   rebar::bar_forces(m, s, w);       // F_rc,FE    Eqs. 3-5
   w.overlay.clear();
   rebar::gather_bar_forces(m, w); //            to the corners of the host tets
-  contact::rigid_forces(m, s, w); // F_inter   with planes and impactors
-  contact::pair_forces(m, s, w);  // F_inter
+  contact::pair_forces(m, s, w);  // F_inter    between bodies, fragments and faces that have parted
+  contact::rigid_forces(m, s, w); //            and with planes and impactors
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1

@@ -44,8 +44,7 @@ EnergyBalance read_stored(model::Model const& m, state::State const& s) {
   e.bond_steel = bars.bond_steel;
   e.dowel = bars.dowel;
   e.rupture = bars.rupture;
-  e.contact += contact::rigid_energy(m, s);
-  e.contact = s.contact.stored;
+  e.contact = s.contact.stored + contact::rigid_energy(m, s);
   return e;
 }
 
