@@ -26,14 +26,17 @@ Vec3 read(core::Buffer<double> const& field, int node) {
 }
 
 /// Corners seen from a point near the pair, so that small overlaps keep their digits.
-TetNow tet_now(Model const& m, State const& s, int tet, Vec3 origin) {
-  std::array<Vec3, 4> now, reference;
+struct Corners {
+  std::array<Vec3, 4> reference, now;
+};
+Corners corners(Model const& m, State const& s, int tet, Vec3 origin) {
+  Corners x;
   for (int c = 0; c < 4; ++c) {
     int const node = model::node_of(tet, c);
-    reference[c] = read(m.position, node) - origin;
-    now[c] = reference[c] + read(s.u, node);
+    x.reference[c] = read(m.position, node) - origin;
+    x.now[c] = x.reference[c] + read(s.u, node);
   }
-  return make_tet_now(now, reference);
+  return x;
 }
 
 std::array<Vec3, 4> last_step(Model const& m, State const& s, int tet) {
@@ -46,13 +49,15 @@ PairSums evaluate(Model const& m, State& s, Scratch& w, std::size_t i) {
   auto& pair = s.contact.pairs[i];
   auto& force = w.contact.force[i];
   Vec3 const origin = read(m.position, model::node_of(pair.a, 0));
-  PairNow now{tet_now(m, s, pair.a, origin), tet_now(m, s, pair.b, origin), {}, {}};
-  if (pair.start == 0 && pair.stiffness == 0 && are_apart(now.a, now.b)) {
+  Corners const a = corners(m, s, pair.a, origin), b = corners(m, s, pair.b, origin);
+  bool const has_memory = pair.start > 0 || pair.stiffness > 0;
+  if (!has_memory && are_apart(a.now, b.now, w.contact.separator[i])) {
+    pair.start = 0;
     force.acts = false;
     return {};
   }
-  now.step_a = last_step(m, s, pair.a);
-  now.step_b = last_step(m, s, pair.b);
+  PairNow const now{make_tet_now(a.now, a.reference), make_tet_now(b.now, b.reference),
+                    last_step(m, s, pair.a), last_step(m, s, pair.b)};
   PairResult const r = pair_law(w.contact.constants[i], now, pair);
   force = r.force;
   return {r.stored, r.lost};

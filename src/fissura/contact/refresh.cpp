@@ -6,6 +6,7 @@
 #include "fissura/contact/broad_phase.hpp"
 #include "fissura/contact/contact.hpp"
 #include "fissura/contact/linkage.hpp"
+#include "fissura/contact/tet_overlap.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/parallel/parallel.hpp"
 
@@ -54,13 +55,17 @@ double fastest_node(State const& s, std::vector<int> const& tets) {
   return std::sqrt(most.square);
 }
 
+std::array<Vec3, 4> corners_of(Model const& m, State const& s, int tet) {
+  std::array<Vec3, 4> x;
+  for (int c = 0; c < 4; ++c) x[c] = place_of(m, s, model::node_of(tet, c));
+  return x;
+}
+
 Box box_of(Model const& m, State const& s, int tet, double margin) {
-  Box b;
-  b.low = b.high = place_of(m, s, model::node_of(tet, 0));
-  for (int c = 1; c < 4; ++c) {
-    Vec3 const x = place_of(m, s, model::node_of(tet, c));
+  auto const corners = corners_of(m, s, tet);
+  Box b{corners[0], corners[0]};
+  for (Vec3 const x : corners)
     for (int r = 0; r < 3; ++r) b.low[r] = std::min(b.low[r], x[r]), b.high[r] = std::max(b.high[r], x[r]);
-  }
   for (int r = 0; r < 3; ++r) b.low[r] -= margin, b.high[r] += margin;
   return b;
 }
@@ -99,8 +104,19 @@ std::vector<std::pair<int, int>> near_pairs(Model const& m, State const& s, Link
   for (int const t : tets) boxes.push_back(box_of(m, s, t, margin));
   keep_near_others(link, tets, boxes);
   auto pairs = meeting_boxes(boxes);
-  std::erase_if(pairs, [&](auto const& p) { return are_linked(m, link, tets[p.first], tets[p.second]); });
   for (auto& p : pairs) p = {tets[p.first], tets[p.second]};
+  std::vector<char> is_far(pairs.size());
+  parallel::for_chunks(pairs.size(), tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto const [a, b] = pairs[i];
+      is_far[i] =
+          are_linked(m, link, a, b) || gap_between(corners_of(m, s, a), corners_of(m, s, b)) > 2 * margin;
+    }
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (!is_far[i]) pairs[kept++] = pairs[i];
+  pairs.resize(kept);
   return pairs;
 }
 
@@ -162,6 +178,7 @@ void prepare(Model const& m, State const& s, Scratch& w) {
   auto const& pairs = s.contact.pairs;
   c.constants.resize(pairs.size());
   c.force.assign(pairs.size(), {});
+  c.separator.assign(pairs.size(), 0);
   parallel::for_chunks(pairs.size(), tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) c.constants[i] = constants_of(m, pairs[i]);
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fissura/contact/polyhedron.hpp"
+#include "fissura/mesh/mesh.hpp"
 
 namespace fissura::contact {
 
@@ -21,8 +22,11 @@ double six_volumes(std::array<Vec3, 4> const& x) {
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
 }
 
-bool all_outside(TetNow const& t, int face, std::array<Vec3, 4> const& points) {
-  return std::all_of(points.begin(), points.end(), [&](Vec3 p) { return t.lambda(face, p) <= 0; });
+bool all_outside(std::array<Vec3, 4> const& t, int face, std::array<Vec3, 4> const& points) {
+  auto const& c = mesh::face_corners[face];
+  Vec3 const p = t[c[0]], outward = cross(t[c[1]] - p, t[c[2]] - p);
+  return dot(outward, points[0] - p) >= 0 && dot(outward, points[1] - p) >= 0 &&
+         dot(outward, points[2] - p) >= 0 && dot(outward, points[3] - p) >= 0;
 }
 
 Polyhedron common_part(TetNow const& a, TetNow const& b) {
@@ -109,15 +113,34 @@ TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& r
   return t;
 }
 
-bool are_apart(TetNow const& a, TetNow const& b) {
-  for (int f = 0; f < 4; ++f)
-    if (all_outside(a, f, b.x) || all_outside(b, f, a.x)) return true;
+bool are_apart(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b, std::uint8_t& separator) {
+  auto separates = [&](int f) { return f < 4 ? all_outside(a, f, b) : all_outside(b, f - 4, a); };
+  if (separates(separator)) return true;
+  for (int f = 0; f < 8; ++f)
+    if (separates(f)) {
+      separator = static_cast<std::uint8_t>(f);
+      return true;
+    }
   return false;
+}
+
+double gap_between(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b) {
+  double widest = 0;
+  auto try_faces = [&widest](std::array<Vec3, 4> const& t, std::array<Vec3, 4> const& points) {
+    for (auto const& c : mesh::face_corners) {
+      Vec3 const p = t[c[0]], outward = unit(cross(t[c[1]] - p, t[c[2]] - p));
+      double nearest = dot(outward, points[0] - p);
+      for (int k = 1; k < 4; ++k) nearest = std::min(nearest, dot(outward, points[k] - p));
+      widest = std::max(widest, nearest);
+    }
+  };
+  try_faces(a, b);
+  try_faces(b, a);
+  return widest;
 }
 
 TetOverlap overlap(TetNow const& a, TetNow const& b) {
   TetOverlap sum;
-  if (are_apart(a, b)) return sum;
   Polyhedron const common = common_part(a, b);
   if (common.empty()) return sum;
   Solid const whole = common.solid();

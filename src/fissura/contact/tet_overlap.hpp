@@ -9,6 +9,7 @@
 // contact without friction conserves energy, linear and angular momentum, whatever touches what. Two flat
 // faces that overlap by g over an area A: E = k A g^2, a pressure of 2 k g.
 #include <array>
+#include <cstdint>
 
 #include "fissura/core/vec3.hpp"
 
@@ -29,8 +30,13 @@ struct TetNow {
 /// has no inside and touches nothing.
 TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& reference);
 
-/// A quick test: some face of one tet has all corners of the other on its outer side.
-bool are_apart(TetNow const& a, TetNow const& b);
+/// A quick test: some face of one tet has all corners of the other on its outer side. `separator` is the face
+/// to try first, 0-3 of a, 4-7 of b; it is set to the one that was found.
+bool are_apart(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b, std::uint8_t& separator);
+
+/// A lower bound of the distance of two tets: the largest one that a face plane of either leaves [m]; 0 if
+/// none lies between them.
+double gap_between(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b);
 
 struct TetOverlap {
   double volume = 0;                  ///< of the common part [m3]

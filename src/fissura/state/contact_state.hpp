@@ -47,6 +47,7 @@ struct ContactScratch {
   };
   std::vector<PairConstants> constants; ///< per pair
   std::vector<PairForce> force;         ///< per pair
+  std::vector<std::uint8_t> separator;  ///< per pair: the face that lay between the two tets last
   std::vector<Host> hosts;              ///< by tet
   std::vector<Entry> entries;
   std::vector<int> surface;      ///< tets with a free face, ascending
