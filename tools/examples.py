@@ -44,6 +44,7 @@ EXAMPLE = {
                                  cracks_before="bars_broken"),
     "06_four_point_beam": Example("four_point", ("load", "deflection", "jack", "steel_stress")),
     "07_compression_prism": Example("compression_case", ("load", "shortening")),
+    "16_colliding_blocks": Example("collision", ("v_target", "v_missile"), tolerance=1e-6),
 }
 
 

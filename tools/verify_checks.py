@@ -57,6 +57,10 @@ section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within 
                        (31, 32, 33)),
     "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form. The
 run ends after the bars have yielded.""", ("33_unstructured",)),
+    "collision": Case("Collision of elastic blocks", """Example 16: two blocks without joints meet, edge on face, without friction, and fly apart spinning. Energy is kept up to
+the time step's error, momentum to rounding; angular momentum (1e-10) is checked by the tests."""),
+    "handover": Case("From joint to contact", """Example 16, `shattering.toml`: a block goes to pieces on a wall: joints break, close, slide and hand over to contact, fragments collide.
+The kinetic energy must never exceed that of the start plus the work of loads. Force jumps at hand-over (0) and 1,000 random cycles of single joints are checked by the tests."""),
     "fragment": Case("Fragments", """The connected bodies that fracture has left at the end of a run: their masses, steel included, add up to the mass of the model."""),
     "reproducible": Case("Same bits", """Tie 3.4, mesh A: the hash of the final state with one and with two threads."""),
 }
@@ -194,6 +198,13 @@ def other_checks():
                 ("compression_case",))
     yield Check("compression", "largest energy residual [%]", 0, 0.5, lambda *runs: max(measure.residual(r) for r in runs),
                 ("compression_case", "compression_slender", "compression_unstructured"))
+    yield Check("collision", "energy residual [%]", 0, 0.1, measure.residual, ("collision",))
+    yield Check("collision", "change of the momentum over the missile's", 0, 1e-12, measure.momentum_error, ("collision",))
+    yield Check("handover", "energy residual [%]", 0, 0.1, measure.residual, ("shattering",))
+    yield Check("handover", "kinetic energy beyond that of the start (1 = none)", 1, 0,
+                lambda run: float(measure.energy_beyond_the_start(run) <= 0), ("shattering",))
+    yield Check("handover", "share of joints broken [%]", float("nan"), INFORMATION,
+                lambda run: 100 * run.summary["joints_broken"] / run.summary["joints"], ("shattering",))
     for name in ("demo", "tie_D"):
         yield Check("fragment", f"masses over the mass of the model, less 1, {TITLES[name]}", 0, 1e-12, measure.fragment_mass_error, (name,))
         yield Check("fragment", f"number of fragments, {TITLES[name]}", float("nan"), INFORMATION,

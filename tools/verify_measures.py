@@ -34,6 +34,20 @@ def residual(run):
     return 100 * abs(run.summary["energy_residual"])
 
 
+def momentum_error(run):
+    """Change of the momentum of example 16 over what the missile brought, 11.25 kg at (-10, -5, 2.5) m/s."""
+    now = sum(f["mass"] * np.array(f["velocity"]) for f in run.summary["fragments"]["largest"])
+    start = 11.25 * np.array([-10, -5, 2.5])
+    return np.linalg.norm(now - start) / np.linalg.norm(start)
+
+
+def energy_beyond_the_start(run):
+    """Largest kinetic energy less what there was at the start and was put in, over the former [%]; negative: below."""
+    work = sum(column(run, f"energy_{a}") for a in ("work_supports", "work_forces", "work_gravity"))
+    kinetic = column(run, "energy_kinetic")
+    return 100 * np.max(kinetic[1:] - kinetic[0] - work[1:]) / kinetic[0]
+
+
 def fragment_mass_error(run):
     """Sum of the masses of the fragments over the mass of the model, less 1."""
     return run.summary["fragments"]["mass"] / run.summary["total_mass"] - 1

@@ -84,6 +84,8 @@ def beam_runs():
     for mesh in ("case", "unstructured"):
         yield f"compression_{mesh}", Spec(f"07_compression_prism/{mesh}.toml", cost=10)
     yield "compression_slender", Spec("07_compression_prism/case.toml", ("mesh.box.0.cells=[4,4,4]",), cost=5)
+    yield "collision", Spec("16_colliding_blocks/case.toml", cost=1)
+    yield "shattering", Spec("16_colliding_blocks/shattering.toml", cost=20)
     four = "06_four_point_beam/case.toml"
     yield "four_point", Spec(four, cost=900, long=True)
     yield "four_point_start", Spec(four, until=0.12, cost=250, long=True)  # up to 15 kN, before anything is chaotic
