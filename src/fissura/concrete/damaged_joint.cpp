@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/strain_rate.hpp"
 
 namespace fissura::concrete {
 
@@ -136,13 +137,13 @@ void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint
   bool const broken = was >= JointStatus::broken;
   if (broken) hand_over(m, s, joint, now);
   double const kept = 1 - history.handed_over;
+  auto const law = laws::with_strength(m.joints.law[joint], follow_strain_rate(m, s, joint, now.normal));
 
   std::array<Vec3, 3> traction;
   bool any_damage = false, all_failed = true;
   for (int q = 0; q < 3; ++q) {
     laws::Dissipation lost{};
-    auto const t = laws::cohesive_traction(m.joints.law[joint], history.point[q], now.at[q], history.last[q],
-                                           broken, lost);
+    auto const t = laws::cohesive_traction(law, history.point[q], now.at[q], history.last[q], broken, lost);
     traction[q] = kept * (t.sigma * now.normal + t.tau_1 * now.axis_1 + t.tau_2 * now.axis_2);
     history.dissipated.mode_I += lost.mode_I * j.area / 3;
     history.dissipated.mode_II += lost.mode_II * j.area / 3;
@@ -157,6 +158,7 @@ void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint
   for (int k = 0; k < 3; ++k) force[k] = (j.area / 6) * (traction[k] + traction[(k + 2) % 3]);
   if (!any_damage && !broken) return store(on_a, force);
   if (was == JointStatus::intact) separate_sides(m, slots, joint);
+  if (s.joint_rate.size() > 0) s.joint_rate[joint].frozen = true;
   NodeForces const balance = balancing_forces(now.mid, now.jump, force);
   NodeForces opposite;
   for (int k = 0; k < 3; ++k) opposite[k] = balance[k] - force[k], force[k] += balance[k];

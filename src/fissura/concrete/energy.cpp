@@ -38,13 +38,17 @@ Mat3 gradient_rows(model::TetBlocks const& t, std::size_t tet) {
 
 } // namespace
 
-Mat3 displacement_gradient(Model const& m, State const& s, int tet) {
+Mat3 gradient_in(Model const& m, core::Buffer<double> const& field, int tet) {
   Mat3 const g = gradient_rows(m.tets, static_cast<std::size_t>(tet));
-  double const* const u = s.u.data() + 16 * static_cast<std::size_t>(tet);
+  double const* const f = field.data() + 16 * static_cast<std::size_t>(tet);
   Mat3 d;
   for (int a = 0; a < 3; ++a)
-    for (int r = 0; r < 3; ++r) d[a][r] = u[4 * (a + 1) + r] - u[r];
+    for (int r = 0; r < 3; ++r) d[a][r] = f[4 * (a + 1) + r] - f[r];
   return transpose(d) * g;
+}
+
+Mat3 displacement_gradient(Model const& m, State const& s, int tet) {
+  return gradient_in(m, s.u, tet);
 }
 
 double strain_energy(Model const& m, State const& s) {
@@ -70,9 +74,11 @@ double joint_energy(Model const& m, State const& s) {
           auto const status = static_cast<JointStatus>(s.joint_status[j]);
           if (status == JointStatus::released) continue;
           auto const k = joint_kinematics(m, s, static_cast<int>(j));
+          auto const law =
+              laws::with_strength(m.joints.law[j], state::strength_factor(s, static_cast<int>(j)));
           for (int q = 0; q < 3; ++q)
             sum += (1 - s.joint_history[j].handed_over) * m.joints.joints[j].area / 3 *
-                   laws::cohesive_stored(m.joints.law[j], s.joint_history[j].point[q], k.at[q],
+                   laws::cohesive_stored(law, s.joint_history[j].point[q], k.at[q],
                                          status >= JointStatus::broken);
         }
         return sum;

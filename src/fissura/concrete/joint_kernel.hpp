@@ -14,10 +14,12 @@ using core::load;
 using core::Vec;
 
 /// Elastic constants of one pack of joints.
-template <class V> struct JointConstants { V k, quarter_ft, shear_limit, tan_phi, quarter_fs, weight; };
+template <class V> struct JointConstants {
+  V k, quarter_ft, shear_limit, tan_phi, quarter_fs, weight, look_above;
+};
 
 /// Traction at one mid-edge from its jump d; marks in `beyond` the lanes that left the undamaged range.
-template <class V, class M>
+template <bool rate, class V, class M>
 inline Vec<V> intact_traction(JointConstants<V> const& c, Vec<V> d, Vec<V> n, M& beyond) {
   V const zero(0.0), one(1.0), half(0.5);
   V const opening = core::dot(d, n);
@@ -27,11 +29,12 @@ inline Vec<V> intact_traction(JointConstants<V> const& c, Vec<V> d, Vec<V> n, M&
   V const sigma = core::choose(opening > zero, V(linear * (one - used)), linear);
   V const slide = c.k * core::square_root(core::dot(sliding, sliding));
   V const pressure = core::choose(linear < zero, V(-linear), zero);
+  if constexpr (rate) beyond = beyond || linear > c.look_above;
   beyond = beyond || used > half || slide > c.shear_limit + c.tan_phi * pressure;
   return sigma * n + V(c.k * (one - slide * c.quarter_fs)) * sliding;
 }
 
-template <class V> inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
+template <bool rate, class V> inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
   using core::load_nodes;
   constexpr int w = core::lanes<V>;
   int const* const node = pass.joints->node.data() + b * 6 * model::block + lane0;
@@ -55,11 +58,12 @@ template <class V> inline void joint_pack(JointPass const& pass, std::size_t b, 
   Vec<V> const n = V(V(1.0) / core::square_root(core::dot(area, area))) * area;
 
   auto constant = [&](int i) { return load<V>(e + i * model::block); };
-  JointConstants<V> const c{constant(0), constant(1), constant(2), constant(3), constant(4), constant(5)};
+  JointConstants<V> c{constant(0), constant(1), constant(2), constant(3), constant(4), constant(5), V(0.0)};
+  if constexpr (rate) c.look_above = load<V>(pass.joints->look_above.data() + b * model::block + lane0);
   auto beyond = V(0.0) > V(1.0);
-  Vec<V> const t01 = intact_traction(c, half * (jump[0] + jump[1]), n, beyond);
-  Vec<V> const t12 = intact_traction(c, half * (jump[1] + jump[2]), n, beyond);
-  Vec<V> const t20 = intact_traction(c, half * (jump[2] + jump[0]), n, beyond);
+  Vec<V> const t01 = intact_traction<rate>(c, half * (jump[0] + jump[1]), n, beyond);
+  Vec<V> const t12 = intact_traction<rate>(c, half * (jump[1] + jump[2]), n, beyond);
+  Vec<V> const t20 = intact_traction<rate>(c, half * (jump[2] + jump[0]), n, beyond);
 
   std::size_t const first = b * model::block + lane0;
   double* const force = pass.force + 12 * first;
@@ -77,8 +81,10 @@ template <class V> inline void joint_pack(JointPass const& pass, std::size_t b, 
 }
 
 template <class V> void joint_forces(JointPass const& pass, std::size_t begin, std::size_t end) {
+  bool const rate = pass.joints->look_above.size() > 0;
   for (std::size_t b = begin; b < end; ++b)
-    for (int lane = 0; lane < model::block; lane += core::lanes<V>) joint_pack<V>(pass, b, lane);
+    for (int lane = 0; lane < model::block; lane += core::lanes<V>)
+      rate ? joint_pack<true, V>(pass, b, lane) : joint_pack<false, V>(pass, b, lane);
 }
 
 } // namespace FISSURA_ISA

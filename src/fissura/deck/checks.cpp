@@ -68,6 +68,7 @@ void check_names(Reader& reader) {
   check_unique(reader, c.supports, c.motions);
   check_unique(reader, c.forces, c.tractions);
   check_unique(reader, c.planes, c.impactors);
+  check_unique(reader, c.absorbing);
   check_unique(reader, c.gauges);
 }
 
@@ -223,6 +224,7 @@ void name_the_unnamed(model::Case& c) {
   name_them(c.tractions, "traction");
   name_them(c.planes, "plane");
   name_them(c.impactors, "impactor");
+  name_them(c.absorbing, "absorbing");
 }
 
 void check_case(Reader& reader) {

@@ -6,6 +6,7 @@
 namespace fissura::deck {
 namespace {
 
+using model::AbsorbingSpec;
 using model::ForceSpec;
 using model::GravitySpec;
 using model::MotionSpec;
@@ -157,6 +158,17 @@ Section traction_section() {
   return s;
 }
 
+Section absorbing_section() {
+  Section s = many_section(
+      "absorbing", &model::Case::absorbing,
+      "An absorbing boundary (Lysmer): dashpots on boundary faces let waves out of the model. They "
+      "hold nothing in place. Components that a support or motion holds are left out.");
+  Fields<AbsorbingSpec> f(s.keys);
+  f.name("name", &AbsorbingSpec::name, "For the log.").default_is("`absorbing_1`, `absorbing_2`, ...");
+  f.selector("where", &AbsorbingSpec::where, "The faces, by their three points.").required();
+  return s;
+}
+
 Section gravity_section() {
   Section s = single_section("gravity", &model::Case::gravity,
                              "Self-weight of concrete and steel; off without this section.");
@@ -174,8 +186,8 @@ Section gravity_section() {
 } // namespace
 
 std::vector<Section> load_sections() {
-  return {stage_section(), support_section(),  motion_section(),
-          force_section(), traction_section(), gravity_section()};
+  return {stage_section(),    support_section(),   motion_section(), force_section(),
+          traction_section(), absorbing_section(), gravity_section()};
 }
 
 } // namespace fissura::deck

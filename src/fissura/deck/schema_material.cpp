@@ -142,6 +142,11 @@ void add_joints(Fields<ConcreteSpec>& f) {
   f.word("softening_range", &ConcreteSpec::softening_range,
          {{"exact", model::SofteningRange::exact}, {"y3d", model::SofteningRange::y3d}},
          "`exact` dissipates G_f; `y3d` is 3 G_f/f_t and dissipates 16 % more.");
+  f.word("rate_factor", &ConcreteSpec::rate_factor,
+         {{"none", model::RateFactor::none}, {"mc2010", model::RateFactor::mc2010}},
+         "Growth of f_t and of f_s (the cohesion with Mohr-Coulomb) with the strain rate: none, or that of "
+         "fib Model "
+         "Code 2010. With it the joints are straight up to their strength.");
 }
 
 Section concrete_section() {

@@ -43,10 +43,10 @@ double shear_strength(CohesiveParams const& p, CohesiveHistory const& h, double 
   return opening < 0 ? p.f_s - p.k * opening * p.tan_phi : p.f_s;
 }
 
-/// Sliding at the strength: the parabola of Eq. 13 carried over to shear, or a straight line with
-/// Mohr-Coulomb (a parabola whose strength depends on the pressure would not be conservative).
+/// Sliding at the strength: the parabola of Eq. 13 carried over to shear, or a straight line where the
+/// strength depends on the pressure or the strain rate (a parabola would not be conservative).
 double peak_sliding(CohesiveParams const& p, double f_s) {
-  return (p.mohr_coulomb ? 1 : 2) * f_s / p.k;
+  return (p.straight_shear ? 1 : 2) * f_s / p.k;
 }
 
 double damage_at(CohesiveParams const& p, double f_s, double opening, double sliding) {
@@ -65,8 +65,9 @@ Branches branches(CohesiveParams const& p, double kappa, double z, double f_s) {
   b.s_r = p.shear_work / f_s;
   b.o_m = p.o_p + kappa * p.o_r;
   b.s_m = b.s_p + kappa * b.s_r;
-  b.w_normal = std::min(1.0, kappa / straightening);
-  b.w_shear = p.mohr_coulomb ? 1 : b.w_normal;
+  double const w = std::min(1.0, kappa / straightening);
+  b.w_normal = p.straight_tension ? 1 : w;
+  b.w_shear = p.straight_shear ? 1 : w;
   return b;
 }
 
@@ -101,12 +102,13 @@ double secant_energy(double strength, double peak, double largest, bool straight
 
 double normal_energy(CohesiveParams const& p, Branches const& b, double opening) {
   if (opening < 0) return 0.5 * p.k * opening * opening;
-  if (p.law == CohesiveLaw::paper) return secant_energy(b.z * p.f_t, p.o_p, b.o_m, false, opening);
+  if (p.law == CohesiveLaw::paper)
+    return secant_energy(b.z * p.f_t, p.o_p, b.o_m, p.straight_tension, opening);
   return b.z * p.f_t * b.o_m * energy_shape(b.w_normal, opening / b.o_m);
 }
 
 double shear_energy(CohesiveParams const& p, Branches const& b, double sliding) {
-  if (p.law == CohesiveLaw::paper) return secant_energy(b.z * b.f_s, b.s_p, b.s_m, p.mohr_coulomb, sliding);
+  if (p.law == CohesiveLaw::paper) return secant_energy(b.z * b.f_s, b.s_p, b.s_m, p.straight_shear, sliding);
   return b.z * b.f_s * b.s_m * energy_shape(b.w_shear, sliding / b.s_m);
 }
 
@@ -123,11 +125,11 @@ Traction consistent_traction(CohesiveParams const& p, Branches const& b, Separat
 
 Traction paper_traction(CohesiveParams const& p, Branches const& b, Separation at, double sliding) {
   double const d = std::min(b.kappa, damage_at(p, b.f_s, at.opening, sliding));
-  double const sigma =
-      at.opening < 0 ? p.k * at.opening
-                     : b.z * p.f_t * virgin_shape(false, at.opening / p.o_p) * ((p.o_p + d * p.o_r) / b.o_m);
+  double const sigma = at.opening < 0 ? p.k * at.opening
+                                      : b.z * p.f_t * virgin_shape(p.straight_tension, at.opening / p.o_p) *
+                                            ((p.o_p + d * p.o_r) / b.o_m);
   double const tau =
-      b.z * b.f_s * virgin_shape(p.mohr_coulomb, sliding / b.s_p) * ((b.s_p + d * b.s_r) / b.s_m);
+      b.z * b.f_s * virgin_shape(p.straight_shear, sliding / b.s_p) * ((b.s_p + d * b.s_r) / b.s_m);
   return along(at, sliding, sigma, tau);
 }
 
@@ -180,8 +182,8 @@ bool has_friction(CohesiveParams const& p, bool broken) {
 
 Traction undamaged_traction(CohesiveParams const& p, Separation at) {
   double const o = at.opening, sliding = length(at);
-  double const sigma = o < 0 ? p.k * o : p.k * o * (1 - 0.5 * o / p.o_p);
-  double const slope = p.mohr_coulomb ? p.k : p.k * (1 - 0.25 * p.k * sliding / p.f_s);
+  double const sigma = o < 0 || p.straight_tension ? p.k * o : p.k * o * (1 - 0.5 * o / p.o_p);
+  double const slope = p.straight_shear ? p.k : p.k * (1 - 0.25 * p.k * sliding / p.f_s);
   return {sigma, slope * at.sliding_1, slope * at.sliding_2};
 }
 
@@ -213,7 +215,9 @@ CohesiveParams make_cohesive_params(CohesiveInput const& in) {
   }
   double const range = in.range == CohesiveRange::exact ? 1 / softening_integral : 3;
   out.f_t = in.f_t;
-  out.o_p = 2 * in.f_t / out.k;
+  out.straight_tension = in.straight;
+  out.straight_shear = in.straight || in.mohr_coulomb;
+  out.o_p = (in.straight ? 1 : 2) * in.f_t / out.k;
   out.o_r = range * in.G_f / in.f_t;
   out.G_f = in.G_f;
   out.G_s = in.G_s > 0 ? in.G_s : in.G_f;
@@ -222,6 +226,14 @@ CohesiveParams make_cohesive_params(CohesiveInput const& in) {
   out.tan_phi = in.mohr_coulomb ? std::tan(in.friction_angle) : 0;
   out.shear_work = range * out.G_s;
   return out;
+}
+
+CohesiveParams with_strength(CohesiveParams p, double factor) noexcept {
+  p.f_t *= factor;
+  p.f_s *= factor;
+  p.o_p *= factor;
+  p.o_r /= factor;
+  return p;
 }
 
 double cohesive_damage(CohesiveParams const& p, CohesiveHistory const& h, Separation now) noexcept {

@@ -30,12 +30,13 @@ struct CohesiveInput {
   CohesiveLaw law = CohesiveLaw::energy_consistent;
   CohesiveRange range = CohesiveRange::exact;
   bool crackable = true; ///< false: linear elastic for ever
+  bool straight = false; ///< straight up to the strength in tension and shear, so that strengths may vary
 };
 
 struct CohesiveParams {
   double k = 0;            ///< p/h, initial slope of sigma and tau [Pa/m]
   double f_t = 0;          ///< [Pa]
-  double o_p = 0;          ///< opening at the tensile strength, 2 f_t/k (Eq. 13) [m]
+  double o_p = 0;          ///< opening at the tensile strength, 2 f_t/k (Eq. 13), f_t/k if straight [m]
   double o_r = 0;          ///< softening range of the opening [m]
   double G_f = 0, G_s = 0; ///< [J/m2]
   double f_s = 0;          ///< shear strength without pressure: f_s, or c with Mohr-Coulomb [Pa]
@@ -43,12 +44,17 @@ struct CohesiveParams {
   double friction = 0;     ///< mu
   double shear_work = 0;   ///< s_r f_s [J/m2]: the softening range of the sliding is shear_work/f_s
   bool mohr_coulomb = false;
+  bool straight_tension = false, straight_shear = false; ///< shape up to the strength: line or parabola
   CohesiveLaw law = CohesiveLaw::energy_consistent;
   bool crackable = true;
 };
 
 /// Throws core::Error (input) naming the first parameter outside its range.
 CohesiveParams make_cohesive_params(CohesiveInput const& input);
+
+/// The joint with strengths f_t and f_s (c with Mohr-Coulomb) times `factor`; fracture energies stay. The
+/// undamaged joint must be straight up to its strength: then its energy does not depend on the strength.
+CohesiveParams with_strength(CohesiveParams p, double factor) noexcept;
 
 struct CohesiveHistory {
   double kappa = 0;              ///< largest damage D so far; 1 = this point has failed

@@ -20,6 +20,26 @@ double applied_work(model::Model const& m, state::State const& s);
 /// The damping that is in force during the current stage.
 model::Stage const& current_stage(model::Model const& m, state::State const& s);
 
+/// Remembers the velocities at n - 1/2 that the dashpots of absorbing boundaries need after the tet pass.
+void note_velocities(model::Model const& m, state::State const& s, state::Scratch& w);
+
+/// What the dashpots changed beside u and v: the tet pass had integrated their nodes as free ones.
+struct AbsorbingEffects {
+  double absorbed = 0;      ///< by the dashpots in this step [J]
+  double kinetic = 0;       ///< to add to the kinetic energy at n [J]
+  double gravity = 0;       ///< to add to the work of gravity over u_n -> u_(n+1) [J]
+  double local_damping = 0; ///< to add to the local damping [J]
+  AbsorbingEffects& operator+=(AbsorbingEffects const& b) {
+    absorbed += b.absorbed, kinetic += b.kinetic, gravity += b.gravity, local_damping += b.local_damping;
+    return *this;
+  }
+};
+
+/// Adds the dashpots to the step of their nodes, implicitly by the trapezoidal rule: no change of the stable
+/// step.
+AbsorbingEffects absorb_waves(model::Model const& m, state::State& s, state::Scratch const& w,
+                              Vec3 gravity_mean);
+
 /// Brings the nodes of supports and motions that begin with this step to rest: whatever they moved with they
 /// lose in an impact. Returns the work of it, -m v^2/2 [J]; zero in all other steps.
 double take_hold(model::Model const& m, state::State& s);

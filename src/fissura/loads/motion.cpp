@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "fissura/loads/curve.hpp"
+#include "fissura/loads/free_step.hpp"
 #include "fissura/loads/loads.hpp"
 #include "fissura/loads/path.hpp"
 #include "fissura/parallel/parallel.hpp"
@@ -23,19 +24,6 @@ double velocity_of(model::Prescribed const& p, Model const& m, State const& s) {
   if (p.is_velocity) return value_at(p.motion, s, s.time + 0.5 * m.dt);
   return (value_at(p.motion, s, s.time + m.dt) - value_at(p.motion, s, s.time)) / m.dt;
 }
-
-/// The step of one component of one node as the tet pass did it, and how to undo it.
-struct FreeStep {
-  double keep, scale, alpha, dt, c;
-
-  /// Acceleration without damping, from the velocity before and the one the free node would have reached.
-  double acceleration(double before, double free) const {
-    double const damped = (free / scale - keep * before) / dt;
-    double const sense = before > 0 ? 1 : before < 0 ? -1 : 0;
-    double const sign = damped > 0 ? 1 : damped < 0 ? -1 : 0;
-    return damped / (1 - alpha * sign * sense);
-  }
-};
 
 /// What imposing one prescribed component did to a range of its nodes.
 struct NodeSums {
@@ -82,9 +70,8 @@ double take_hold(Model const& m, State& s) {
 }
 
 MotionEffects move_supports(Model const& m, State& s, Vec3 gravity_mean) {
-  auto const& stage = current_stage(m, s);
-  double const c = stage.mass_damping, dt = m.dt;
-  FreeStep const step{1 - 0.5 * c * dt, 1 / (1 + 0.5 * c * dt), stage.local_damping, dt, c};
+  FreeStep const step = free_step(current_stage(m, s), m.dt);
+  double const dt = m.dt;
   MotionEffects effects;
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
     auto const& p = m.prescribed[i];

@@ -52,9 +52,11 @@ struct Joint {
 
 struct JointBlocks {
   int count = 0;
-  core::Buffer<int> node;       ///< [block][6][8] starts of the nodes a0 a1 a2 b0 b1 b2 (4*node)
-  core::Buffer<double> edge;    ///< [block][6][8] reference edges 0->1, 0->2 of the triangle [m]
-  core::Buffer<double> elastic; ///< [block][6][8] k, 1/(4 f_t), shear limit, tan phi, 1/(4 f_s), area/6
+  core::Buffer<int> node;          ///< [block][6][8] starts of the nodes a0 a1 a2 b0 b1 b2 (4*node)
+  core::Buffer<double> edge;       ///< [block][6][8] reference edges 0->1, 0->2 of the triangle [m]
+  core::Buffer<double> elastic;    ///< [block][6][8] k, 1/(4 f_t), shear limit, tan phi, 1/(4 f_s), area/6
+  core::Buffer<double> look_above; ///< [block][8] tension beyond which the full law is asked [Pa]; empty
+                                   ///< unless some strength depends on the strain rate
   std::vector<Joint> joints;
   std::vector<laws::CohesiveParams> law; ///< per joint
 

@@ -59,6 +59,18 @@ struct AppliedForce {
   }
 };
 
+/// Dashpots on boundary faces, gathered to the nodes that move as one: force = -damping v.
+struct Absorbing {
+  struct Patch {
+    int begin = 0, end = 0;  ///< its nodes: Absorbing::node[begin .. end)
+    Mat3 damping;            ///< symmetric, not negative [N s/m]; no row or column for what a support holds
+    double mass = 0;         ///< of all its nodes [kg]
+    double weight_ratio = 1; ///< real mass over scaled mass
+  };
+  std::vector<Patch> patches; ///< by their first node
+  std::vector<int> node;
+};
+
 struct Gravity {
   bool on = false;
   Vec3 direction;

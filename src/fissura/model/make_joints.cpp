@@ -44,12 +44,17 @@ laws::CohesiveInput law_of(ConcreteSpec const& c, double h) {
   in.range =
       c.softening_range == SofteningRange::exact ? laws::CohesiveRange::exact : laws::CohesiveRange::y3d;
   in.crackable = c.crackable;
+  in.straight = c.rate_factor != RateFactor::none;
   return in;
 }
 
 bool along_axis(Vec3 normal, int axis) {
   return std::abs(normal[axis]) > std::cos(10 * std::numbers::pi / 180);
 }
+
+/// Joints whose strength depends on the strain rate go to the full law from this share of it on: their strain
+/// rate is gathered there.
+constexpr double look_share = 0.5;
 
 /// Padding joints sit on tet 0 with no stiffness and no area.
 void make_joint_data(Model& m) {
@@ -58,7 +63,10 @@ void make_joint_data(Model& m) {
   j.node = core::Buffer<int>(6 * n);
   j.edge = core::Buffer<double>(6 * n);
   j.elastic = core::Buffer<double>(6 * n);
+  bool const rate = std::any_of(j.law.begin(), j.law.end(), [](auto const& l) { return l.straight_tension; });
+  if (rate) j.look_above = core::Buffer<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
+    if (rate) j.look_above[i] = 1e300;
     if (i >= static_cast<std::size_t>(j.count)) {
       j.edge[at(i, 0, 6)] = j.edge[at(i, 4, 6)] = 1;
       continue;
@@ -74,11 +82,13 @@ void make_joint_data(Model& m) {
     auto const& law = j.law[i];
     double const never = 1e300;
     j.elastic[at(i, 0, 6)] = law.k;
-    j.elastic[at(i, 1, 6)] = law.crackable ? 1 / (4 * law.f_t) : 0;
-    j.elastic[at(i, 2, 6)] = !law.crackable ? never : law.mohr_coulomb ? law.f_s : 2 * law.f_s;
-    j.elastic[at(i, 3, 6)] = law.crackable ? law.tan_phi : 0;
-    j.elastic[at(i, 4, 6)] = law.crackable && !law.mohr_coulomb ? 1 / (4 * law.f_s) : 0;
+    double const share = law.straight_tension ? look_share : 1;
+    j.elastic[at(i, 1, 6)] = law.crackable && !law.straight_tension ? 1 / (4 * law.f_t) : 0;
+    j.elastic[at(i, 2, 6)] = !law.crackable ? never : share * (law.straight_shear ? law.f_s : 2 * law.f_s);
+    j.elastic[at(i, 3, 6)] = law.crackable ? share * law.tan_phi : 0;
+    j.elastic[at(i, 4, 6)] = law.crackable && !law.straight_shear ? 1 / (4 * law.f_s) : 0;
     j.elastic[at(i, 5, 6)] = joint.area / 6;
+    if (law.crackable && law.straight_tension) j.look_above[i] = look_share * law.f_t;
   }
 }
 

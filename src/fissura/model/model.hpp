@@ -30,6 +30,7 @@ struct Model {
   std::vector<Prescribed> prescribed;
   std::vector<MotionPath> paths;
   std::vector<AppliedForce> forces;
+  Absorbing absorbing;
   Gravity gravity;
   std::vector<RigidBody> rigid; ///< planes first, then impactors, in the order of the deck
   std::vector<InitialVelocity> initial_velocity;

@@ -14,7 +14,7 @@ namespace {
 class JointStep {
  public:
   JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
-      : m_(m), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
+      : m_(m), whole_(s), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
         i_(index), nodes_{m.position.data(), s.u.data()}, out_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
     auto const a = static_cast<std::size_t>(joint_.elem_a), b = static_cast<std::size_t>(joint_.elem_b);
@@ -42,8 +42,9 @@ class JointStep {
   bool some_face_separates() const {
     for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
       auto const& face = m_.bars.faces[f];
-      if (separates(face, m_.adjacency.shared[face.shared_face], m_.joints.law[face.joint], nodes_))
-        return true;
+      auto const law =
+          laws::with_strength(m_.joints.law[face.joint], state::strength_factor(whole_, face.joint));
+      if (separates(face, m_.adjacency.shared[face.shared_face], law, nodes_)) return true;
     }
     return false;
   }
@@ -100,6 +101,7 @@ class JointStep {
   }
 
   model::Model const& m_;
+  state::State const& whole_;
   model::BarJoint const& joint_;
   model::BarJointLaw const& law_;
   state::BarState& s_;

@@ -21,6 +21,7 @@ struct Series {
   double compliance = 0; ///< d.r over the traction along the bar [m/Pa]
   double f_t = 0;        ///< of the weakest crackable face [Pa]
   bool crackable = false;
+  bool straight = true; ///< up to the strength of all that can crack
 };
 
 Series faces_in_series(model::Model const& m, model::BarJoint const& j) {
@@ -32,6 +33,7 @@ Series faces_in_series(model::Model const& m, model::BarJoint const& j) {
     s.compliance += face.cosine / law.k;
     largest = std::max(largest, 1 / law.k);
     if (!law.crackable) continue;
+    s.straight = s.straight && law.straight_tension;
     s.f_t = s.crackable ? std::min(s.f_t, law.f_t) : law.f_t;
     s.crackable = true;
   }
@@ -58,7 +60,7 @@ model::BarJointLaw law_of(model::Model const& m, model::BarJoint const& j) {
   law.crackable = series.crackable;
   law.prestress = bar.steel.E_s * bar.initial_strain;
   law.intact = laws::uncracked_bar_joint(bar.steel.E_s / concrete.E, 1, series.compliance, series.f_t,
-                                         bar.area, series.crackable);
+                                         bar.area, series.crackable && !series.straight);
   if (law.crackable)
     law.activated = laws::make_bar_joint_params({bar.diameter, bar.area, steel_params(bar.steel),
                                                  concrete.f_c, crack_length(bar, j), m.bars.settings.dowel});

@@ -105,6 +105,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
   contact::check_start(m);
   choose_step(m);
+  build_absorbing(m); // after mass scaling
   note_assumptions(m, report);
   return m;
 }

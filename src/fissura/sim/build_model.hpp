@@ -27,4 +27,7 @@ void build_loads(model::Model& m);
 /// Resolves planes, impactors and initial velocities.
 void build_rigid(model::Model& m);
 
+/// Dashpots of the absorbing boundaries; after all else, since they need the supports and the final masses.
+void build_absorbing(model::Model& m);
+
 } // namespace fissura::sim

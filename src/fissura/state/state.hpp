@@ -25,6 +25,15 @@ struct JointHistory {
   double handed_over = 0;                       ///< share of the pair's load that is left to contact, 0 ... 1
 };
 
+/// Strain rate at a joint whose strength depends on it, while it is stressed beyond half of its strength.
+struct JointRate {
+  std::array<double, 3> sum; ///< weighted sum of the rates of strain on its plane [1/s]
+  double weight;             ///< sum of the weights
+  long last_step;            ///< of the last sample
+  double excess;             ///< factor on its strengths, less 1
+  bool frozen;               ///< it has been damaged
+};
+
 /// Where a MotionPath is: which target it is on its way to, and its last turn.
 struct PathState {
   int target = -1;         ///< -1 = not begun; as many as there are targets: all reached
@@ -53,6 +62,7 @@ struct State {
   core::Buffer<double> v;                   ///< [node][4] velocities at n - 1/2 [m/s]
   core::Buffer<std::uint8_t> joint_status;  ///< JointStatus, padded to blocks
   core::Buffer<JointHistory> joint_history; ///< untouched pages cost nothing
+  core::Buffer<JointRate> joint_rate;       ///< empty unless some strength depends on the strain rate
   BarState bars;
   RigidState rigid;
   ContactState contact;
@@ -90,7 +100,13 @@ struct Scratch {
   BarScratch bars;
   RigidScratch rigid;
   ContactScratch contact;
-  std::vector<TetSums> tet_sums; ///< per chunk
+  std::vector<TetSums> tet_sums;     ///< per chunk
+  std::vector<Vec3> velocity_before; ///< per patch of Model::absorbing: at n - 1/2 [m/s]
 };
+
+/// Factor by which the strain rate raises the strengths of a joint.
+inline double strength_factor(State const& s, int joint) {
+  return s.joint_rate.size() == 0 ? 1 : 1 + s.joint_rate[static_cast<std::size_t>(joint)].excess;
+}
 
 } // namespace fissura::state

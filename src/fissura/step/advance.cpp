@@ -17,21 +17,31 @@ using state::State;
 
 namespace {
 
+/// What acted beside the tet pass.
+struct Effects {
+  double impact = 0; ///< work where supports and motions began [J]
+  loads::AbsorbingEffects waves;
+  loads::MotionEffects motion;
+  contact::ImpactorEffects impactors;
+};
+
 /// Closes the accounts of u_n for a reading, then books the work over u_n -> u_(n+1).
-void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::MotionEffects const& motion,
-                 double impact, contact::ImpactorEffects const& impactors, EnergyBalance* reading) {
+void post_energy(Model const& m, State& s, state::TetSums const& sums, Effects const& effects,
+                 EnergyBalance* reading) {
+  auto const& [impact, waves, motion, impactors] = effects;
   auto& l = s.ledger;
   auto put_in = [&](double& account, double work) {
     account += work;
     l.absolute_work += std::abs(work);
   };
   l.viscous += sums.viscous;
-  double const kinetic = sums.kinetic + motion.kinetic;
+  double const kinetic = sums.kinetic + waves.kinetic + motion.kinetic;
   // c m v^2 by the trapezoidal rule over u_(n-1) -> u_n
   if (s.step > 0)
     l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic);
   l.kinetic_before = kinetic;
-  l.local_damping += sums.local_damping + motion.local_damping;
+  l.local_damping += sums.local_damping + waves.local_damping + motion.local_damping;
+  l.absorbed += waves.absorbed;
   put_in(l.work_supports, impact);
   put_in(l.work_supports, motion.work_done);
   if (reading) {
@@ -40,7 +50,7 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, loads::Mo
     read_flows(*reading, m, s);
   }
   put_in(l.work_supports, motion.work_next);
-  put_in(l.work_gravity, sums.gravity + motion.gravity + impactors.gravity);
+  put_in(l.work_gravity, sums.gravity + waves.gravity + motion.gravity + impactors.gravity);
   put_in(l.work_forces, loads::applied_work(m, s));
 }
 
@@ -51,6 +61,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   Vec3 const gravity = loads::gravity_at(m, s, s.time);
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
 
+  loads::note_velocities(m, s, w);
   contact::refresh_pairs(m, s, w);  // only when its skin is used up
   concrete::joint_forces(m, s, w);  // F_conc,JE  Eqs. 13-19
   rebar::bar_joint_forces(m, s, w); // F_rc,JE    Eqs. 20-27
@@ -63,9 +74,10 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   if (reading) *reading = read_stored(m, s);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean);
-  auto const motion = loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
+  auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
+  auto const motion = loads::move_supports(m, s, gravity_mean);  // prescribed motion, reactions
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
-  post_energy(m, s, sums, motion, impact, impactors, reading);
+  post_energy(m, s, sums, {impact, waves, motion, impactors}, reading);
 
   s.step += 1;
   s.time = static_cast<double>(s.step) * m.dt;
@@ -78,6 +90,7 @@ State make_state(Model const& m) {
   s.v = core::Buffer<double>(4 * nodes);
   s.joint_status = core::Buffer<std::uint8_t>(joints);
   s.joint_history = core::Buffer<state::JointHistory>(joints);
+  if (m.joints.look_above.size() > 0) s.joint_rate = core::Buffer<state::JointRate>(joints);
   s.bars = rebar::make_bar_state(m.bars);
   s.reaction.assign(m.prescribed.size(), 0);
   s.prescribed_velocity.assign(m.prescribed.size(), 0);
@@ -97,6 +110,7 @@ Scratch make_scratch(Model const& m) {
   if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
   w.overlay = state::Overlay(tets, m.overlay_tets);
   w.bars = rebar::make_bar_scratch(m, w.overlay);
+  w.velocity_before.resize(m.absorbing.patches.size());
   w.tet_sums.resize(4 * m.tets.blocks() + 1);
   return w;
 }

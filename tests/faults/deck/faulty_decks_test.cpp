@@ -83,6 +83,8 @@ std::vector<Fault> const faults{
     {"unknown word with its nearest", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\njoint_law = \"papper\"",
      "10:13: error: `joint_law` must be `energy_consistent` or `paper`, not \"papper\"; did you mean "
      "`paper`?"},
+    {"unknown rate factor", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nrate_factor = \"mc2100\"",
+     "10:15: error: `rate_factor` must be `none` or `mc2010`, not \"mc2100\"; did you mean `mc2010`?"},
     {"unknown axis", "axis = \"x\"\ndisplacement", "axis = \"w\"\ndisplacement",
      "31:8: error: `axis` must be `x`, `y` or `z`, not \"w\""},
     {"misspelt bar quantity", "bar = \"tie\"", "bar = \"tie\"\nquantity = \"joint_stres\"",

@@ -183,6 +183,26 @@ std::vector<Fault> const faults{
      },
      53,
      {"tet"}},
+    {"absorbing_inside_the_body",
+     [](model::Case& c) {
+       c.absorbing = {{line(16), "end", placed(plane(0, 0.3), 16)}};
+     },
+     16,
+     {"boundary face"}},
+    {"absorbing_twice",
+     [](model::Case& c) {
+       c.absorbing = {{line(16), "end", plane(1, 0)}, {line(17), "again", everything()}};
+     },
+     17,
+     {"again", "another one has taken already"}},
+    {"path_without_gauge",
+     [](model::Case& c) {
+       c.motions[0].path.emplace();
+       c.motions[0].path->speed = 1, c.motions[0].path->turn = 1e-3;
+       c.motions[0].path->targets = {{line(31), "strian", 1, ""}};
+     },
+     31,
+     {"strian"}},
     {"joint_region_on_nothing",
      [](model::Case& c) {
        model::JointRegionSpec r;

@@ -245,4 +245,94 @@ TEST(CohesiveEnergy, SlopeNeverExceedsK) {
     EXPECT_LT(worst, 1.0 + 1e-6);
   }
 }
+
+/// A joint whose strengths follow the strain rate: the factor wanders until the first damage freezes it.
+struct RateDriver {
+  Driver d;
+  CohesiveParams base;
+  double phase, clock = 0, largest_jump = 0;
+
+  RateDriver(CohesiveParams const& p, double phase_) : d{p}, base(p), phase(phase_) {}
+  double factor() const { return 1.5 + 0.5 * std::sin(phase + 6 * clock); }
+  /// The clock runs 1 per leg.
+  void go(Separation to, int steps) {
+    Separation const from = d.at;
+    for (int i = 1; i <= steps; ++i) {
+      double const x = double(i) / steps;
+      clock += 1.0 / steps;
+      if (d.h.kappa <= 0) d.p = with_strength(base, factor());
+      Traction const before = d.t;
+      d.step({from.opening + x * (to.opening - from.opening),
+              from.sliding_1 + x * (to.sliding_1 - from.sliding_1),
+              from.sliding_2 + x * (to.sliding_2 - from.sliding_2)});
+      largest_jump = std::max({largest_jump, std::abs(d.t.sigma - before.sigma),
+                               std::abs(d.t.tau_1 - before.tau_1), std::abs(d.t.tau_2 - before.tau_2)});
+    }
+  }
+};
+
+CohesiveParams rate_dependent(bool mohr_coulomb, CohesiveLaw law = CohesiveLaw::energy_consistent) {
+  auto in = concrete(mohr_coulomb, law);
+  in.straight = true;
+  return make_cohesive_params(in);
+}
+
+// A joint with its strength raised by 1.7 still takes G_f beyond the line up to its strength, in both modes.
+TEST(CohesiveRate, KeepsTheFractureEnergy) {
+  for (auto law : {CohesiveLaw::energy_consistent, CohesiveLaw::paper}) {
+    auto const p = with_strength(rate_dependent(false, law), 1.7);
+    Driver a{p}, b{p};
+    a.go({1.001 * critical_opening(p), 0, 0}, 20000);
+    double const s_p = p.f_s / p.k;
+    b.go({0, 1.001 * (s_p + p.shear_work / p.f_s), 0}, 20000);
+    EXPECT_NEAR(a.work, 100 + 0.5 * 1.7 * 3e6 * p.o_p, 0.05);
+    EXPECT_NEAR(a.lost.mode_I, a.work, 0.05);
+    EXPECT_NEAR(b.work, 300 + 0.5 * 1.7 * 6e6 * s_p, 0.1);
+  }
+}
+
+// Before damage the joint is a spring whatever its strength does: the stored energy does not depend on it.
+TEST(CohesiveRate, StrengthChangesNoUndamagedJoint) {
+  auto const p = rate_dependent(false), q = with_strength(p, 2.3);
+  CohesiveHistory h;
+  Dissipation lost;
+  for (Separation const at :
+       {Separation{0.9 * p.o_p, 0, 0}, {0.3 * p.o_p, 0.4 * p.o_p, 0.2 * p.o_p}, {-p.o_p, 0, 0}}) {
+    EXPECT_NEAR(cohesive_stored(p, h, at, false), cohesive_stored(q, h, at, false), 1e-12);
+    EXPECT_DOUBLE_EQ(cohesive_traction(p, h, at, {}, false, lost).sigma, p.k * at.opening);
+    EXPECT_DOUBLE_EQ(cohesive_traction(q, h, at, {}, false, lost).sigma, p.k * at.opening);
+  }
+  EXPECT_EQ(h.kappa, 0);
+}
+
+// No path creates energy while the strength wanders before the first damage: the balance closes with the
+// step, no increment of dissipation is negative, closed loops return no more than was put in, tractions do
+// not jump.
+TEST(CohesiveRate, NoPathCreatesEnergy) {
+  for (bool mc : {false, true}) {
+    auto const p = rate_dependent(mc);
+    double coarse = 0, fine = 0, jump_coarse = 0, jump_fine = 0;
+    for (unsigned seed = 0; seed < 12; ++seed)
+      for (int const steps : {2000, 16000}) {
+        RateDriver r(p, seed);
+        double imbalance = 0;
+        for (auto const& to : random_path(p, seed)) {
+          r.go(to, steps);
+          imbalance = std::max(imbalance, std::abs(r.d.imbalance()));
+          if (to.opening == 0 && to.sliding_1 == 0) {
+            EXPECT_GE(r.d.work, 0);
+          }
+        }
+        EXPECT_GE(r.d.least_increment, 0);
+        double& worst = steps == 2000 ? coarse : fine;
+        worst = std::max(worst, imbalance);
+        double& jump = steps == 2000 ? jump_coarse : jump_fine;
+        jump = std::max(jump, r.largest_jump);
+      }
+    EXPECT_LT(fine, 0.05);
+    EXPECT_LT(fine, coarse / 6) << coarse << " " << fine;
+    EXPECT_LT(jump_fine, jump_coarse / 4) << jump_coarse << " " << jump_fine;
+    RecordProperty(mc ? "mohr_coulomb" : "constant", std::to_string(coarse) + " " + std::to_string(fine));
+  }
+}
 } // namespace

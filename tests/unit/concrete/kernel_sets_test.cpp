@@ -150,6 +150,17 @@ TEST_P(KernelSets, agree_on_a_cracking_step) {
   EXPECT_GT(concrete::count_joints(oracle.m, oracle.s).damaged, 0);
 }
 
+// Requirement: the same where strengths depend on the strain rate and joints are straight up to them.
+TEST_P(KernelSets, agree_on_a_step_with_rate_factor) {
+  auto concrete = plain_concrete();
+  concrete.rate_factor = model::RateFactor::mc2010;
+  for (double const size : {1e-7, 1e-5}) {
+    Bench oracle(concrete), other(concrete);
+    for (Bench* b : {&oracle, &other}) b->shake(size, 0.1);
+    expect_same_step(oracle, other);
+  }
+}
+
 // Requirement: after 1,000 uncracked steps the sets still agree to 1e-9.
 TEST_P(KernelSets, agree_after_a_thousand_uncracked_steps) {
   auto const concrete = plain_concrete();

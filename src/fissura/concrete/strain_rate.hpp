@@ -1,0 +1,13 @@
+#pragma once
+// Strengths that grow with the strain rate (docs/theory/rate_factor.md).
+#include "fissura/model/model.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::concrete {
+
+/// Takes a sample of the strain rate |D n| on the plane of an undamaged joint, the mean of its two tets, into
+/// the moving average, and renews the factor on its strengths; keeps the factor of a damaged joint. Returns
+/// the factor; 1 where the strength does not depend on the rate.
+double follow_strain_rate(model::Model const& m, state::State& s, int joint, Vec3 normal);
+
+} // namespace fissura::concrete
