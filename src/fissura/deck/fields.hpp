@@ -134,6 +134,7 @@ template <class T> class Fields {
 
 void read_selector(Reader&, Node const&, Key const&, model::Selector&);
 void read_curve(Reader&, Node const&, Key const&, units::Dimension, model::Curve&);
+void read_record(Reader&, Node const&, Key const&, model::RecordSpec&);
 void read_path(Reader&, Node const&, Key const&, model::PathSpec&);
 /// "{key = value, ...}"
 std::string write_shape(Shape const&, void const* record);

@@ -115,6 +115,13 @@ path = {of = "right", scale = -1}
 ```
 )";
 
+constexpr char const* record_example = R"(
+```toml
+acceleration = {file = "record.txt", unit = "g", pga = "0.3 g", baseline = "linear"}
+acceleration = {file = "record.at2", unit = "g", time_step = "10 ms"}
+```
+)";
+
 } // namespace
 
 std::string reference_markdown() {
@@ -125,6 +132,8 @@ std::string reference_markdown() {
   text += curve_examples;
   text += shape_text(path_shape(), "Paths");
   text += path_example;
+  text += shape_text(record_shape(), "Records");
+  text += record_example;
   for (auto const& section : schema()) text += section_text(section);
   return text;
 }

@@ -69,6 +69,8 @@ std::vector<Section> const& schema();
 Shape const& selector_shape();
 /// Its record is a model::PathSpec.
 Shape const& path_shape();
+/// Its record is a model::RecordSpec.
+Shape const& record_shape();
 /// Its record is a CurveDraft: the dimension of the values depends on the key that holds the curve.
 Shape const& curve_shape();
 struct CurveDraft {

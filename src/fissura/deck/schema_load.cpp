@@ -74,14 +74,16 @@ template <bool velocity> void read_motion(Reader& r, Node const& n, Key const& k
 }
 
 template <bool velocity> Written write_motion(MotionSpec const& motion) {
-  if (motion.is_velocity != velocity || motion.path) return std::nullopt;
+  if (motion.is_velocity != velocity || motion.path || motion.record) return std::nullopt;
   return write_curve(motion.curve, velocity ? Dimension::velocity : Dimension::length);
 }
 
 void finish_motion(Reader& reader, Node const& table, void* record) {
   int given = 0;
-  for (auto const key : {"displacement", "velocity", "path"}) given += reader.given(record, key) ? 1 : 0;
-  if (given != 1) reader.error(table, "[[motion]] needs one of `displacement`, `velocity` and `path`");
+  for (auto const key : {"displacement", "velocity", "acceleration", "path"})
+    given += reader.given(record, key) ? 1 : 0;
+  if (given != 1)
+    reader.error(table, "[[motion]] needs one of `displacement`, `velocity`, `acceleration` and `path`");
   auto const& motion = *static_cast<MotionSpec const*>(record);
   if (motion.path && !motion.path->of.empty() && reader.given(record, "stage"))
     reader.error(reader.place(record, "stage"),
@@ -98,8 +100,8 @@ void finish_motion(Reader& reader, Node const& table, void* record) {
 Section motion_section() {
   Section s = many_section(
       "motion", &model::Case::motions,
-      "Prescribes one component of the motion of nodes by exactly one of `displacement`, `velocity` and "
-      "`path`.");
+      "Prescribes one component of the motion of nodes by exactly one of `displacement`, `velocity`, "
+      "`acceleration` and `path`.");
   s.finish = finish_motion;
   Fields<MotionSpec> f(s.keys);
   f.name("name", &MotionSpec::name, "Gauges refer to it.").default_is("`motion_1`, `motion_2`, ...");
@@ -112,6 +114,14 @@ Section motion_section() {
   f.custom("velocity", "a curve of a velocity", "Velocity. A jump breaks the first joints: use a ramp.",
            read_motion<true>, write_motion<true>)
       .default_is("none");
+  f.custom(
+       "acceleration", "a record", "By an acceleration record, from rest: ground motion.",
+       [](Reader& r, Node const& n, Key const& k, MotionSpec& motion) {
+         read_record(r, n, k, motion.record.emplace());
+       },
+       [](MotionSpec const& motion) -> Written { return write_shape(record_shape(), &*motion.record); })
+      .default_is("none")
+      .echoed_if([](MotionSpec const& motion) { return motion.record.has_value(); });
   f.custom(
        "path", "a path", "To and fro between readings of gauges.",
        [](Reader& r, Node const& n, Key const& k, MotionSpec& motion) {

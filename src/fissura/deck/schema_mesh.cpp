@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "fissura/deck/fields.hpp"
+#include "fissura/deck/files.hpp"
 
 namespace fissura::deck {
 namespace {
@@ -27,30 +28,13 @@ void read_length_unit(Reader& r, Node const& n, Key const& k, MeshSpec& mesh) {
   }
 }
 
-bool lies_below(std::filesystem::path const& file, std::filesystem::path const& folder) {
-  auto const inside = file.lexically_relative(folder);
-  return !inside.empty() && *inside.begin() != "..";
-}
-
 void check_file(Reader& reader, MeshSpec& mesh) {
-  namespace fs = std::filesystem;
   auto const place = reader.place(&mesh, "file");
   std::string const written = mesh.file;
-  std::error_code ignored;
-  fs::path const folder = fs::weakly_canonical(reader.the_case.folder, ignored);
-  fs::path const file = fs::weakly_canonical(folder / fs::path(written), ignored);
-  mesh.file = file.string();
-  if (!mesh.allow_outside && !lies_below(file, folder))
-    return reader.error(
-        place, fmt::format("the mesh file \"{}\" lies outside the deck's folder; move it there or set "
-                           "allow_outside = true in [mesh]",
-                           written));
-  auto const extension = file.extension();
+  auto const extension = std::filesystem::path(written).extension();
   if (extension != ".msh" && extension != ".geo")
     return reader.error(place, fmt::format("the mesh file \"{}\" must end in .msh or .geo", written));
-  if (!fs::is_regular_file(file, ignored))
-    reader.error(place,
-                 fmt::format("there is no mesh file \"{}\" in {}", written, file.parent_path().string()));
+  mesh.file = resolve_file(reader, place, written, mesh.allow_outside, "mesh file", "[mesh]");
 }
 
 void finish_mesh(Reader& reader, Node const& table, void* record) {

@@ -14,12 +14,21 @@ double smooth_step(double x) {
 
 namespace {
 
+/// Cubic Hermite on the interval that ends with row i, x from 0 to 1.
+double cubic(Curve const& c, std::size_t i, double x) {
+  double const y = 1 - x, T = c.times[i] - c.times[i - 1];
+  return y * y * ((1 + 2 * x) * c.values[i - 1] + x * T * c.slopes[i - 1]) +
+         x * x * ((1 + 2 * y) * c.values[i] - y * T * c.slopes[i]);
+}
+
 double table_value(Curve const& c, double t) {
   auto const after = std::upper_bound(c.times.begin(), c.times.end(), t);
   if (after == c.times.begin()) return c.values.empty() ? 0 : c.values.front();
-  if (after == c.times.end()) return c.values.back();
+  if (after == c.times.end())
+    return c.values.back() + (c.slopes.empty() ? 0 : c.slopes.back() * (t - c.times.back()));
   std::size_t const i = static_cast<std::size_t>(after - c.times.begin());
   double const x = (t - c.times[i - 1]) / (c.times[i] - c.times[i - 1]);
+  if (!c.slopes.empty()) return cubic(c, i, x);
   return c.values[i - 1] + x * (c.values[i] - c.values[i - 1]);
 }
 

@@ -173,7 +173,7 @@ struct RecordSpec {
   std::string file;            ///< absolute or resolved against the deck's folder
   bool allow_outside = false;  ///< the file may lie outside the deck's folder
   int time_column = 1;         ///< from 1; 0 = none, evenly spaced by time_step
-  int acceleration_column = 2; ///< from 1
+  int acceleration_column = 2; ///< from 1; 0 = all numbers of all rows, without times
   double time_step = 0;        ///< [s]
   double unit = 1;             ///< m/s2 per unit of the file
   double pga = 0;              ///< > 0: scaled to this largest |acceleration| [m/s2]

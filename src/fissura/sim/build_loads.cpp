@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "fissura/model/record.hpp"
 #include "fissura/model/select.hpp"
 #include "fissura/sim/build_model.hpp"
 
@@ -100,6 +101,11 @@ void follow(Model const& m, model::MotionSpec const& s, model::Prescribed& p) {
   p.scale = s.path->scale;
 }
 
+void take_record(model::MotionSpec const& s, model::Prescribed& p) {
+  p.is_velocity = false;
+  p.motion.curve = model::displacement_curve(model::read_record(*s.record), s.record->start);
+}
+
 void build_prescribed(Model& m, Copies const& copies) {
   Owners owners;
   for (auto const& s : m.source.supports) {
@@ -115,6 +121,7 @@ void build_prescribed(Model& m, Copies const& copies) {
     for (int const n : nodes) owners.claim(n, s.axis, s.name, s.place);
     m.prescribed.push_back(
         {s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
+    if (s.record) take_record(s, m.prescribed.back());
     if (s.path) follow(m, s, m.prescribed.back());
   }
 }

@@ -21,7 +21,7 @@ DimensionInfo const& info(Dimension dimension) {
       {"a viscosity", "7 MPa s", "Pa s", {{"MPa s", 6, 1e6}, {"Pa s", 0, 0}}, {"kPa s", "N s/m2"}},
       {"an angle", "36 deg", "rad", {{"rad", 0, 0}}, {"deg", "degree"}},
       {"a velocity", "0.1 m/s", "m/s", {{"m/s", 0, 1e-2}, {"mm/s", -3, 0}}, {"cm/s", "km/h"}},
-      {"an acceleration", "9.81 m/s2", "m/s2", {{"m/s2", 0, 0}}, {"m/s^2", "mm/s2"}},
+      {"an acceleration", "9.81 m/s2", "m/s2", {{"m/s2", 0, 0}}, {"g", "cm/s2", "m/s^2", "mm/s2"}},
       {"a rate", "274 1/s", "1/s", {{"1/s", 0, 0}}, {"Hz", "1/ms", "s-1"}},
       {"a mass", "250 kg", "kg", {{"kg", 0, 0}}, {"t", "g"}},
       {"an impulse", "1.2 kN s", "N s", {{"kN s", 3, 1e3}, {"N s", 0, 0}}, {"kg m/s"}},

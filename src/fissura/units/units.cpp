@@ -74,9 +74,11 @@ std::string expected(Dimension dimension) {
   return fmt::format("expected e.g. \"{}\"", info(dimension).example);
 }
 
-// UDUNITS has no "deg"; everybody who writes an angle has.
-std::string spelling_for_udunits(std::string_view unit) {
+// UDUNITS has no "deg"; everybody who writes an angle has. Its "g" is a gram; among accelerations it is
+// gravity.
+std::string spelling_for_udunits(std::string_view unit, Dimension dimension) {
   if (unit == "deg") return "degree";
+  if (unit == "g" && dimension == Dimension::acceleration) return "standard_gravity";
   return std::string(unit);
 }
 
@@ -85,10 +87,10 @@ bool may_start_unit(std::string_view unit) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c >= 0x80 || unit.starts_with("1/");
 }
 
-Unit parse(std::string_view unit) {
+Unit parse(std::string_view unit, Dimension dimension) {
   constexpr std::size_t longest = 64;
   if (unit.size() > longest || !may_start_unit(unit)) return nullptr;
-  return Unit(ut_parse(unit_system(), spelling_for_udunits(unit).c_str(), UT_UTF8));
+  return Unit(ut_parse(unit_system(), spelling_for_udunits(unit, dimension).c_str(), UT_UTF8));
 }
 
 /// SI units per given unit. Refuses what is not proportional to SI: offsets (degC), logarithms, dates.
@@ -111,7 +113,7 @@ double factor_of(std::string_view unit, Dimension dimension) {
   std::scoped_lock const lock(udunits_mutex());
   auto const hint = same_but_for_case(unit, dimension);
   std::string const cure = hint.empty() ? expected(dimension) : fmt::format("did you mean `{}`?", hint);
-  Unit const parsed = parse(unit);
+  Unit const parsed = parse(unit, dimension);
   if (!parsed) refuse(fmt::format("unknown unit `{}`; {}", unit, cure));
   Unit const si(ut_parse(unit_system(), std::string(info(dimension).si).c_str(), UT_UTF8));
   bool const percent_as_angle = dimension == Dimension::angle && unit == "%";
