@@ -78,7 +78,7 @@ std::string expected(Dimension dimension) {
 // gravity.
 std::string spelling_for_udunits(std::string_view unit, Dimension dimension) {
   if (unit == "deg") return "degree";
-  if (unit == "g" && dimension == Dimension::acceleration) return "standard_gravity";
+  if (unit == "g" && dimension == Dimension::acceleration) return "standard_free_fall";
   return std::string(unit);
 }
 

@@ -412,6 +412,43 @@ axis = "x"
   }
 }
 
+// A record of accelerations is found beside the deck, `g` is gravity there, and the echo keeps all of it.
+TEST(Deck, ReadsRecords) {
+  auto const folder = std::filesystem::temp_directory_path() / ("fissura_deck_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "quake.txt") << "0 0\n1 1\n";
+  std::string const text = std::string(small) + R"(
+[[motion]]
+where = {plane = "x", at = "1 m"}
+axis = "x"
+acceleration = {file = "quake.txt", unit = "g", pga = "0.3 g", baseline = "linear", start = "0.5 s", columns = [3, 2]}
+[[motion]]
+where = {plane = "x", at = "1 m"}
+axis = "y"
+acceleration = {file = "quake.txt", unit = "cm/s2", time_step = "10 ms"}
+)";
+  auto const first = read_case_text(text, (folder / "case.toml").string());
+  std::string const echoed = deck::echo(first);
+  auto const second = read_case_text(echoed, "/echo.toml");
+  EXPECT_EQ(deck::echo(second), echoed);
+  std::filesystem::remove_all(folder);
+  for (auto const& c : {first, second}) {
+    ASSERT_TRUE(c.motions[0].record && c.motions[1].record);
+    auto const &a = *c.motions[0].record, &b = *c.motions[1].record;
+    EXPECT_EQ(a.file, (folder / "quake.txt").string());
+    EXPECT_EQ(a.unit, 9.80665);
+    EXPECT_EQ(a.pga, 0.3 * 9.80665);
+    EXPECT_EQ(a.baseline, model::RecordSpec::Baseline::linear);
+    EXPECT_EQ(a.start, 0.5);
+    EXPECT_EQ(a.time_column, 3);
+    EXPECT_EQ(a.acceleration_column, 2);
+    EXPECT_EQ(b.unit, 0.01);
+    EXPECT_EQ(b.time_step, 0.01);
+    EXPECT_EQ(b.time_column, 0);
+    EXPECT_EQ(b.acceleration_column, 0);
+  }
+}
+
 // The echo names every default that the deck left unsaid.
 TEST(Deck, EchoHoldsTheDefaults) {
   std::string const text = deck::echo(read_case_text(small, "case.toml"));

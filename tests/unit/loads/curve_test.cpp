@@ -125,5 +125,17 @@ TEST(TimedCurves, run_from_the_start_of_their_stage) {
   EXPECT_EQ(value_at({ramp(2, 1), -1}, s, 7), 2);
 }
 
+// Requirement: a table with slopes is cubic between its rows, meets values and slopes there without a jump,
+// and runs on straight beyond its end.
+TEST(Curve, with_slopes_is_cubic) {
+  auto c = table({1, 2, 4}, {0, 1, 19});
+  c.slopes = {0, 3, 3}; // (t - 1)^3, then 1 + 3 x + 9 x^2 - ... with the same slope at both ends
+  EXPECT_EQ(value_at(c, 0.5), 0);
+  for (double const x : {0.0, 0.25, 0.5, 1.0}) EXPECT_NEAR(value_at(c, 1 + x), x * x * x, 1e-15);
+  for (double const t : {2.0, 4.0})
+    EXPECT_NEAR((value_at(c, t + 1e-6) - value_at(c, t - 1e-6)) / 2e-6, 3, 1e-4) << t;
+  EXPECT_DOUBLE_EQ(value_at(c, 6), 25);
+}
+
 } // namespace
 } // namespace fissura::loads

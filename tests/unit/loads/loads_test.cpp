@@ -7,7 +7,6 @@ namespace fissura::loads {
 namespace {
 
 using support::concrete_model;
-using support::concrete_scratch;
 using support::concrete_state;
 
 /// One cell whose nodes move as the tests say.
@@ -19,7 +18,7 @@ struct Cell {
     m.dt = 1e-6;
     m.overlay_tets = {0, 2};
     s = concrete_state(m);
-    w = concrete_scratch(m);
+    w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
   }
   void prescribe(std::string name, int axis, model::Curve curve, bool is_velocity, std::vector<int> nodes) {
     m.prescribed.push_back({std::move(name), axis, is_velocity, {std::move(curve), -1}, std::move(nodes)});
