@@ -34,6 +34,23 @@ mesh::Mesh make_mesh(model::MeshSpec const& spec) {
   return mesh::make_boxes(boxes);
 }
 
+void note_records(Model const& m, BuildReport& report) {
+  auto largest = [](std::vector<double> const& values) {
+    double most = 0;
+    for (double const v : values) most = std::max(most, std::abs(v));
+    return most;
+  };
+  for (auto const& p : m.prescribed) {
+    auto const& c = p.motion.curve;
+    if (c.slopes.empty()) continue;
+    report.notes.push_back(
+        fmt::format("motion `{}`: a record of {:.4g} s; largest velocity {:.4g} m/s, largest displacement "
+                    "{:.4g} m; it ends with {:.3g} m/s at {:.4g} m",
+                    p.name, c.times.back() - c.times.front(), largest(c.slopes), largest(c.values),
+                    c.slopes.back(), c.values.back()));
+  }
+}
+
 void note_assumptions(Model const& m, BuildReport& report) {
   for (auto const& c : m.source.concretes) {
     if (!c.joints || !c.crackable) continue;
@@ -107,6 +124,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   choose_step(m);
   build_absorbing(m); // after mass scaling
   note_assumptions(m, report);
+  note_records(m, report);
   return m;
 }
 
