@@ -17,12 +17,14 @@ import picture
 THEORY = {"color": "black", "lw": 1.0, "ls": "--"}
 
 
-def axes_of(xlabel, ylabel, size=(7, 4.5)):
-    figure, axes = plt.subplots(figsize=size, dpi=130)
-    axes.set_xlabel(xlabel)
-    axes.set_ylabel(ylabel)
-    axes.grid(alpha=0.3)
-    return figure, axes
+def axes_of(xlabel, ylabel, size=(7, 4.5), rows=(1,)):
+    """A figure and its axes; with several rows of these relative heights, all of them, the first one labelled."""
+    figure, axes = plt.subplots(len(rows), 1, figsize=size, dpi=130, height_ratios=rows, squeeze=False)
+    for one in axes[:, 0]:
+        one.grid(alpha=0.3)
+    axes[0, 0].set_xlabel(xlabel)
+    axes[0, 0].set_ylabel(ylabel)
+    return figure, axes[0, 0] if len(rows) == 1 else axes[:, 0]
 
 
 def shrink(out):

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import figures_cyclic
 import picture
 import verify_measures as measure
 from figure_parts import THEORY, axes_of, crack_pictures, save, wide
@@ -190,15 +191,16 @@ def fig33(runs, out):
         crack_pictures(scenes, titles, heading, out.with_stem(out.stem + "_unstructured") if "unstructured" in label else out)
 
 
-FIGURES = {13: (fig13, ("prism_A", "prism_B", "prism_A_20", "prism_B_20")),
-           14: (fig14, tuple(f"prism_B_{p}" for p in (20, 60, 100))),
-           17: (fig17, ("self_weight_A_viscous",)),
-           19: (fig19, tuple(f"elastic_tie_{p}" for p in (20, 60, 100))),
-           21: (fig21, tuple(f"tie_{m}" for m in "ABCD")),
-           22: (fig22, tuple(f"tie_{m}" for m in "ABCD")),
-           31: (fig31, tuple(b[0] for b in BEAM_RUNS)),
-           32: (fig32, tuple(b[0] for b in BEAM_RUNS)),
-           33: (fig33, tuple(b[0] for b in BEAM_RUNS))}
+PAPER = {13: (fig13, ("prism_A", "prism_B", "prism_A_20", "prism_B_20")),
+         14: (fig14, tuple(f"prism_B_{p}" for p in (20, 60, 100))),
+         17: (fig17, ("self_weight_A_viscous",)),
+         19: (fig19, tuple(f"elastic_tie_{p}" for p in (20, 60, 100))),
+         21: (fig21, tuple(f"tie_{m}" for m in "ABCD")),
+         22: (fig22, tuple(f"tie_{m}" for m in "ABCD")),
+         31: (fig31, tuple(b[0] for b in BEAM_RUNS)),
+         32: (fig32, tuple(b[0] for b in BEAM_RUNS)),
+         33: (fig33, tuple(b[0] for b in BEAM_RUNS))}
+FIGURES = PAPER | figures_cyclic.FIGURES
 
 
 def main():

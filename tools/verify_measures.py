@@ -1,5 +1,11 @@
 """What is read from the runs: one function per example, plain numbers out. SI inside, shown units in the names."""
+import sys
+from pathlib import Path
+
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import fissura_io as io
 
 # Example 3.1: E = 30 GPa, 0.2 x 0.2 m. Example 3.3: Table 4, gross section and bar, 1.2 m.
 PRISM_STIFFNESS = 30e9 * 0.04
@@ -135,3 +141,132 @@ def change_up_to_yield(run, other):
     load = running_mean(column(run, "time"), column(run, "load"), SHOCK)[:i + 1]
     shifted = np.interp(time, column(other, "time"), running_mean(column(other, "time"), column(other, "load"), SHOCK))
     return 100 * np.abs(shifted - load).max() / load.max()
+
+
+# Winkler's L-panel: displacement [mm] and load [N] of the test.
+L_PANEL_TEST = np.array([[0, 0], [.0498, 2015], [.1097, 4578], [.1483, 5999], [.1839, 6992], [.2078, 7219], [.2384, 6714],
+                         [.2693, 5996], [.3238, 4801], [.3996, 3529], [.4992, 2477], [.5986, 1911], [.7988, 1283], [1.0003, 1041]])
+L_PANEL_CORNER = np.array([0.25, 0.25])
+
+
+def l_panel_curve(run):
+    """Lift [mm] and load [kN], a mean over 1 ms: 0.01 mm of the lift."""
+    return 1e3 * column(run, "lift"), running_mean(column(run, "time"), column(run, "load") / 1e3, 1e-3)
+
+
+def l_panel(run):
+    lift, load = l_panel_curve(run)
+    test = np.interp(lift, *L_PANEL_TEST.T) / 1e3
+    rising = (lift > 0.01) & (lift < 0.04)
+    top = int(np.argmax(load))
+    return {"peak": load[top], "peak_lift": lift[top], "stiffness": np.polyfit(lift[rising], load[rising], 1)[0],
+            "work": np.trapz(load, lift), "test_work": np.trapz(test, lift), "tail": np.interp(0.5, lift, load)}
+
+
+def first_failure(run):
+    """Place (x, z) [m] of the joint that fails first, and the place of all failed ones, in the last frame."""
+    places, times = [], []
+    for part in run.frame("cracks", "last")[1]:
+        grid = io.read_vtu(part)
+        triangles, which = grid.cells(io.TRIANGLE)
+        places.append(grid.points[triangles].mean(axis=1)[:, [0, 2]])
+        times.append(grid.cell_data["time_of_failure"][which])
+    places, times = np.concatenate(places), np.concatenate(times)
+    failed = times > 0
+    return places[failed][np.argmin(times[failed])], places[failed]
+
+
+def l_panel_crack(run):
+    """Distance of the first failed joint from the corner [mm]; height above it where the crack is 100 mm to its left [mm]."""
+    start, failed = first_failure(run)
+    there = np.abs(failed[:, 0] - (L_PANEL_CORNER[0] - 0.1)) < 0.02
+    return {"start": 1e3 * np.hypot(*(start - L_PANEL_CORNER)), "height": 1e3 * (failed[there, 1].mean() - L_PANEL_CORNER[1]),
+            "reach": 1e3 * (L_PANEL_CORNER[0] - failed[:, 0].min())}
+
+
+# Petersson's beam: ligament b (D - a_0).
+LIGAMENT = 0.05 * 0.1
+
+
+def notched_beam(run):
+    """Work of fracture [N/m]: of the jack, and dissipated by the joints, over the ligament; peak [N]; crack area over the ligament."""
+    load, deflection = column(run, "jack"), column(run, "deflection")
+    mean = running_mean(column(run, "time"), column(run, "load"), SHOCK)
+    lost = sum(column(run, f"energy_{name}")[-1] for name in ("fracture_I", "fracture_II", "friction"))
+    held = sum(column(run, f"energy_{name}")[-1] for name in ("kinetic", "strain", "joints"))
+    return {"work": np.trapz(load, deflection) / LIGAMENT, "ledger": column(run, "energy_work_supports")[-1] / LIGAMENT,
+            "dissipated": lost / LIGAMENT, "held": held / LIGAMENT, "peak": mean.max()}
+
+
+# The cyclic tie 4.1: one D19, A_s f_y = 100.3 kN.
+TIE_BAR, TIE_YIELD = 286.5e-6, 350e6
+TIE_LEVELS = (0.002, 0.005, 0.010, 0.015)
+TIE_SHOCK = 1e-3  # its forces are means over so many seconds, 1e-5 of mean strain
+
+
+def tie_peaks(run):
+    """Force [kN] where the mean strain reaches each level for the first time."""
+    strain, force = column(run, "mean_strain"), column(run, "force") / 1e3
+    return [force[max(0, first(strain >= 0.999 * level) - 1)] for level in TIE_LEVELS]
+
+
+def tie_unloading(run):
+    """Stiffness of the branches down to zero force [kN per 1e-3 of mean strain], one per level; the last strain at rest."""
+    strain, force = column(run, "mean_strain"), column(run, "force") / 1e3
+    slopes, begin = [], 0
+    for level in TIE_LEVELS:
+        top = begin + first(strain[begin:] >= 0.999 * level)
+        down = top + first(force[top:] < 0.7 * force[top])
+        begin = down + first(force[down:] < 0.1 * force[top])
+        slopes.append(1e-3 * np.polyfit(strain[down:begin], force[down:begin], 1)[0])
+    return slopes
+
+
+def cyclic_tie(run):
+    yielded = first(column(run, "bar_joints_yielded") > 0)
+    force = running_mean(column(run, "time"), column(run, "force") / 1e3, TIE_SHOCK)
+    return {"yield": force[yielded], "yield_strain": 1e3 * column(run, "mean_strain")[yielded]}
+
+
+def tie_cracks(run):
+    """Largest distance of a failed joint from the nearest notch along the tie [mm], and number of notches with failed joints."""
+    _, failed = first_failure(run)
+    notch = np.round(failed[:, 0] / 0.3)
+    return {"distance": 1e3 * np.abs(failed[:, 0] - 0.3 * notch).max(), "notches": len(set(notch))}
+
+
+def tie_at_rest(run, share=0.1):
+    """Change of the mean strain [1e-6] and largest force [kN] over the last part of the run, at rest without force."""
+    time = column(run, "time")
+    rest = time > time[-1] - share * np.ptp(time)
+    strain, force = column(run, "mean_strain")[rest], column(run, "force")[rest]
+    return {"drift": 1e6 * (strain[-1] - strain[0]), "force": np.abs(force).max() / 1e3, "change": np.ptp(force) / 1e3}
+
+
+# The cyclic column.
+COLUMN_AXIAL, COLUMN_YIELD = 250e3, 420e6
+
+
+def column_cycles(run):
+    """Extreme shear [kN] and drift [mm] of each half cycle, means over 10 ms at the turning points."""
+    time, drift = column(run, "time"), 1e3 * column(run, "drift")
+    shear = running_mean(time, column(run, "shear") / 1e3, SHOCK)
+    signs = np.sign(np.where(np.abs(drift) > 0.5, drift, 0))
+    halves, current = [], 0
+    for i, s in enumerate(signs):
+        if s and s != current:
+            halves.append([])
+            current = s
+        if s:
+            halves[-1].append(i)
+    turns = [half[int(np.argmax(np.abs(drift[half])))] for half in halves]
+    return [(drift[i], shear[i]) for i in turns]
+
+
+def cyclic_column(run):
+    time = column(run, "time")
+    after = column(run, "time") > run.history["time"].values[first(np.abs(column(run, "reaction_top_x")) > 0)]
+    axial = running_mean(time, column(run, "axial"), SHOCK)[after] / COLUMN_AXIAL
+    stress = np.array([column(run, f"stress_{side}") for side in ("left", "right")])
+    return {"axial_low": axial.min(), "axial_high": axial.max(), "tension": stress.max() / COLUMN_YIELD,
+            "compression": -stress.min() / COLUMN_YIELD, "shear": np.abs(column(run, "shear")).max() / 1e3}

@@ -93,9 +93,29 @@ def beam_runs():
     yield "four_point_unstructured", Spec("06_four_point_beam/unstructured.toml", cost=1500, long=True)
 
 
+def cyclic_runs():
+    deck = "05_cyclic_tie/{}.toml"
+    for mesh, name, cost in (("coarse", "case", 15), ("fine", "fine", 450)):
+        yield f"cyclic_tie_{mesh}", Spec(deck.format(name), cost=cost, long=cost > 60)
+        yield f"cyclic_tie_{mesh}_mp", Spec(deck.format(name), ("steel.0.law=menegotto_pinto",), cost=cost, long=cost > 60)
+    yield "cyclic_column", Spec("09_cyclic_column/case.toml", cost=700, long=True)
+
+
+def plain_runs():
+    panel = "11_l_panel/case.toml"
+    yield "l_panel", Spec(panel, cost=500, long=True)
+    yield "l_panel_90", Spec(panel, ('concrete.0.G_f="90 N/m"',), cost=500, long=True)
+    notched = "12_notched_beam/{}.toml"
+    yield "notched_beam", Spec(notched.format("case"), cost=600, long=True)
+    # A coarser mesh with cells of 20 mm over the ligament.
+    coarse = [f"mesh.box.{i}.cells=[{x},1,{z}]" for i, (x, z) in enumerate(((9, 3), (9, 5), (4, 3), (4, 5), (9, 3), (9, 5)))]
+    yield "notched_beam_coarse", Spec(notched.format("case"), tuple(coarse), cost=60)
+    yield "notched_beam_unstructured", Spec(notched.format("unstructured"), cost=600, long=True)
+
+
 def all_runs():
     specs = {}
-    for family in (prism_runs, self_weight_runs, tie_runs, beam_runs):
+    for family in (prism_runs, self_weight_runs, tie_runs, beam_runs, cyclic_runs, plain_runs):
         specs.update(family())
     return specs
 
