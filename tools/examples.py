@@ -42,8 +42,11 @@ EXAMPLE = {
     "03_elastic_tie": Example("elastic_tie_20", ("force", "u_right", "u_left", "bar_stress"), figure=19, tolerance=1e-6),
     "04_tie_to_failure": Example("tie_D", ("force", "elongation", "u_a", "u_b", "bar_strain", "slip"),
                                  cracks_before="bars_broken"),
+    "05_cyclic_tie": Example("cyclic_tie_coarse", ("force", "mean_strain", "steel_stress", "steel_strain", "slip", "crack"), figure=28),
     "06_four_point_beam": Example("four_point", ("load", "deflection", "jack", "steel_stress")),
     "07_compression_prism": Example("compression_case", ("load", "shortening")),
+    "11_l_panel": Example("l_panel", ("load", "lift"), figure="l_panel"),
+    "12_notched_beam": Example("notched_beam", ("load", "jack", "deflection", "mouth"), figure="notched_beam"),
     "16_colliding_blocks": Example("collision", ("v_target", "v_missile"), tolerance=1e-6),
 }
 

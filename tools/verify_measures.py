@@ -236,11 +236,11 @@ def tie_cracks(run):
 
 
 def tie_at_rest(run, share=0.1):
-    """Change of the mean strain [1e-6] and largest force [kN] over the last part of the run, at rest without force."""
-    time = column(run, "time")
-    rest = time > time[-1] - share * np.ptp(time)
-    strain, force = column(run, "mean_strain")[rest], column(run, "force")[rest]
-    return {"drift": 1e6 * (strain[-1] - strain[0]), "force": np.abs(force).max() / 1e3, "change": np.ptp(force) / 1e3}
+    """Change of the mean force from the first to the second half of the last part of the run, at rest without load [kN]."""
+    time, force = column(run, "time"), column(run, "force") / 1e3
+    last = time[-1] - share * np.ptp(time)
+    middle = (last + time[-1]) / 2
+    return force[time > middle].mean() - force[(time > last) & (time <= middle)].mean()
 
 
 # The cyclic column.
