@@ -80,6 +80,7 @@ void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) 
   auto& history = s.joint_history[joint];
   double const share = std::max(history.handed_over, handed_over(j, now));
   if (share <= history.handed_over) return;
+  if (share < 1 && !m.source.contact.on) return; // nobody there to take it
   for (int q = 0; q < 3; ++q)
     history.dissipated.friction +=
         (share - history.handed_over) * j.area / 3 *
