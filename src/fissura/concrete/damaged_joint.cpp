@@ -26,6 +26,8 @@ Vec3 reference_edge(Model const& m, int joint, int which) {
           e[model::at(j, 3 * which + 2, 6)]};
 }
 
+constexpr double cos_30 = 0.8660254037844386;
+
 double slid(laws::Separation const& p) {
   return std::hypot(p.sliding_1, p.sliding_2);
 }
@@ -35,8 +37,22 @@ double face_size(model::Joint const& joint) {
   return std::sqrt(2 * joint.area);
 }
 
+/// Cosine of the angle between the faces of the two sides; 1 where no node pair is far enough apart for 30
+/// degrees to be possible.
+double faces_turned(model::Joint const& joint, JointKinematics const& k) {
+  double farthest = 0;
+  for (Vec3 const d : k.jump) farthest = std::max(farthest, dot(d, d));
+  if (farthest < 0.02 * joint.area) return 1;
+  auto normal = [&](double side) {
+    Vec3 const a = k.mid[0] + side * k.jump[0];
+    return unit(cross(k.mid[1] + side * k.jump[1] - a, k.mid[2] + side * k.jump[2] - a));
+  };
+  return dot(normal(-0.5), normal(0.5));
+}
+
 /// Share of its load that a crack-face pair has handed over to contact: none until its faces overlap by no
-/// more than half, all once they have slid past each other, or at once where no point presses any more.
+/// more than half or have turned by 30 degrees, all once they have slid past each other or turned by 60
+/// degrees. At once where they stand wide open, or no point presses.
 double handed_over(model::Joint const& joint, JointKinematics const& k) {
   double most = 0;
   bool presses = false, is_wide_open = true;
@@ -45,8 +61,23 @@ double handed_over(model::Joint const& joint, JointKinematics const& k) {
     presses |= p.opening < 0;
     is_wide_open &= p.opening > 0.25 * face_size(joint);
   }
-  if (is_wide_open || (most > 0.5 && !presses)) return 1;
-  return std::clamp(2 * most - 1, 0.0, 1.0);
+  double const turned = (cos_30 - faces_turned(joint, k)) / (cos_30 - 0.5);
+  double const share = std::clamp(std::max(2 * most - 1, turned), 0.0, 1.0);
+  return is_wide_open || (share > 0 && !presses) ? 1 : share;
+}
+
+/// A joint whose faces have turned by 60 degrees has broken, also where a point on the hinge between them
+/// never opened; what that held is lost.
+void break_at_hinge(Model const& m, int joint, JointKinematics const& now, state::JointHistory& history) {
+  auto const& j = m.joints.joints[joint];
+  if (!(faces_turned(j, now) < 0.5)) return;
+  for (int q = 0; q < 3; ++q) {
+    auto& point = history.point[q];
+    if (point.kappa >= 1) continue;
+    history.dissipated.mode_I +=
+        j.area / 3 * laws::cohesive_stored(m.joints.law[joint], point, history.last[q], false);
+    point.kappa = 1, point.z = 0;
+  }
 }
 
 using NodeForces = std::array<Vec3, 3>;
@@ -86,9 +117,9 @@ void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) 
         (share - history.handed_over) * j.area / 3 *
         laws::cohesive_stored(m.joints.law[joint], history.point[q], history.last[q], true);
   history.handed_over = share;
-  auto const status = share < 1 ? JointStatus::parting : JointStatus::released;
-  if (s.joint_status[joint] == static_cast<std::uint8_t>(status)) return;
-  s.joint_status[joint] = static_cast<std::uint8_t>(status);
+  bool const was_whole = s.joint_status[joint] == static_cast<std::uint8_t>(JointStatus::broken);
+  s.joint_status[joint] = static_cast<std::uint8_t>(share < 1 ? JointStatus::parting : JointStatus::released);
+  if (!was_whole) return; // contact sees it already
   std::atomic_ref(s.contact.is_due).store(1, std::memory_order_relaxed);
 }
 
@@ -136,6 +167,7 @@ void damaged_joint(Model const& m, State& s, state::JointSlots& slots, int joint
   JointKinematics const now = joint_kinematics(m, s, joint);
   if (was == JointStatus::intact) history.last = joint_kinematics(m, s, joint, m.dt).at;
   bool const broken = was >= JointStatus::broken;
+  if (was == JointStatus::damaged) break_at_hinge(m, joint, now, history);
   if (broken) hand_over(m, s, joint, now);
   double const kept = 1 - history.handed_over;
   auto const law = laws::with_strength(m.joints.law[joint], follow_strain_rate(m, s, joint, now.normal));

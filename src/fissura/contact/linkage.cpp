@@ -54,6 +54,16 @@ void label_around_parted(Model const& m, State const& s, std::vector<char> const
     label[corner[i]] = 1 + corner[sets.find(static_cast<int>(i))];
 }
 
+/// Whether two tets had a face in common whose joint has parted.
+bool have_parted(Model const& m, State const& s, int tet_a, int tet_b) {
+  for (int const f : m.adjacency.shared_of_tet[tet_a]) {
+    if (f < 0) continue;
+    auto const& face = m.adjacency.shared[f];
+    if (face.a.tet == tet_b || face.b.tet == tet_b) return !holds(m, s, static_cast<std::size_t>(f));
+  }
+  return false;
+}
+
 } // namespace
 
 bool holds(Model const& m, State const& s, std::size_t shared_face) {
@@ -65,13 +75,14 @@ Linkage find_linkage(Model const& m, State const& s) {
   Linkage link;
   Sets sets(m.mesh.tets.size());
   std::vector<char> is_split(m.mesh.points.size(), 0);
+  bool any_parted = false;
   for (std::size_t f = 0; f < m.adjacency.shared.size(); ++f) {
     auto const& face = m.adjacency.shared[f];
     if (holds(m, s, f)) {
       sets.join(face.a.tet, face.b.tet);
       continue;
     }
-    link.any_parted = true;
+    any_parted = true;
     for (int const c : face.corner_a) is_split[m.mesh.tets[face.a.tet][c]] = 1;
   }
   link.body.resize(m.mesh.tets.size());
@@ -81,11 +92,12 @@ Linkage find_linkage(Model const& m, State const& s) {
     link.body[t] = root == static_cast<int>(t) ? link.bodies++ : link.body[root]; // roots come first
   }
   link.around_point.assign(4 * m.mesh.tets.size(), 0);
-  if (link.any_parted) label_around_parted(m, s, is_split, link.around_point);
+  if (any_parted) label_around_parted(m, s, is_split, link.around_point);
   return link;
 }
 
-bool are_linked(Model const& m, Linkage const& link, int tet_a, int tet_b) {
+bool are_linked(Model const& m, State const& s, Linkage const& link, int tet_a, int tet_b) {
+  if (link.body[tet_a] != link.body[tet_b] || have_parted(m, s, tet_a, tet_b)) return false;
   auto const &a = m.mesh.tets[tet_a], &b = m.mesh.tets[tet_b];
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k)

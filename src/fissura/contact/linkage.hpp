@@ -10,8 +10,7 @@ namespace fissura::contact {
 
 struct Linkage {
   int bodies = 1;
-  bool any_parted = false; ///< some joint's faces have parted
-  std::vector<int> body;   ///< per tet
+  std::vector<int> body; ///< per tet
   std::vector<int>
       around_point; ///< [tet][4]: tets joined to each other around a mesh point have the same label
 };
@@ -21,8 +20,9 @@ bool holds(model::Model const& m, state::State const& s, std::size_t shared_face
 
 Linkage find_linkage(model::Model const& m, state::State const& s);
 
-/// Tets that share a mesh point and are still joined around it do not see each other.
-bool are_linked(model::Model const& m, Linkage const& linkage, int tet_a, int tet_b);
+/// Tets that share a mesh point and are still joined around it do not see each other, unless their common
+/// face itself has parted.
+bool are_linked(model::Model const& m, state::State const& s, Linkage const& linkage, int tet_a, int tet_b);
 
 /// Tets with a face that is free: on the boundary, or parted; ascending.
 std::vector<int> surface_tets(model::Model const& m, state::State const& s);

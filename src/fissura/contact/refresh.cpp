@@ -33,6 +33,13 @@ Vec3 place_of(Model const& m, State const& s, int node) {
   return {x[0] + u[0], x[1] + u[1], x[2] + u[2]};
 }
 
+struct MeanVelocity {
+  Vec3 sum;
+  MeanVelocity& operator+=(MeanVelocity const& b) {
+    sum += b.sum;
+    return *this;
+  }
+};
 struct Fastest {
   double square = 0;
   Fastest& operator+=(Fastest const& b) {
@@ -41,18 +48,36 @@ struct Fastest {
   }
 };
 
-double fastest_node(State const& s, std::vector<int> const& tets) {
-  auto const most =
-      parallel::sum_chunks<Fastest>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
-        Fastest f;
-        for (std::size_t i = begin; i < end; ++i)
-          for (int c = 0; c < 4; ++c) {
-            double const* const v = s.v.data() + 4 * model::node_of(tets[i], c);
-            f.square = std::max(f.square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-          }
-        return f;
-      });
-  return std::sqrt(most.square);
+Vec3 velocity_of(State const& s, int node) {
+  double const* const v = s.v.data() + 4 * static_cast<std::size_t>(node);
+  return {v[0], v[1], v[2]};
+}
+
+/// Sum of body(tet) over the tets, in a fixed order.
+template <class Value, class Body> Value sum_over(std::vector<int> const& tets, Body const& body) {
+  return parallel::sum_chunks<Value>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+    Value sum;
+    for (std::size_t i = begin; i < end; ++i) sum += body(tets[i]);
+    return sum;
+  });
+}
+
+/// How far a surface node can go until the next look, seen from the mean motion of all [m].
+double window_travel(Model const& m, State const& s, std::vector<int> const& tets) {
+  if (tets.empty()) return 0;
+  Vec3 const total = sum_over<MeanVelocity>(tets, [&](int t) {
+                       return MeanVelocity{velocity_of(s, model::node_of(t, 0))};
+                     }).sum;
+  Vec3 const mean = total / static_cast<double>(tets.size());
+  auto const fastest = sum_over<Fastest>(tets, [&](int t) {
+    Fastest f;
+    for (int c = 0; c < 4; ++c) {
+      Vec3 const v = velocity_of(s, model::node_of(t, c)) - mean;
+      f.square = std::max(f.square, dot(v, v));
+    }
+    return f;
+  });
+  return static_cast<double>(steps_between_looks) * m.dt * std::sqrt(fastest.square);
 }
 
 std::array<Vec3, 4> corners_of(Model const& m, State const& s, int tet) {
@@ -70,39 +95,12 @@ Box box_of(Model const& m, State const& s, int tet, double margin) {
   return b;
 }
 
-void join(Box& a, Box const& b) {
-  for (int r = 0; r < 3; ++r)
-    a.low[r] = std::min(a.low[r], b.low[r]), a.high[r] = std::max(a.high[r], b.high[r]);
-}
-
-/// Drops the tets that no other body comes near. Worth it for a few bodies that are whole.
-void keep_near_others(Linkage const& link, std::vector<int>& tets, std::vector<Box>& boxes) {
-  constexpr int few = 16;
-  if (link.any_parted || link.bodies > few || tets.empty()) return;
-  std::vector<Box> around(link.bodies, Box{{1, 1, 1}, {-1, -1, -1}});
-  for (std::size_t i = 0; i < tets.size(); ++i) {
-    Box& b = around[link.body[tets[i]]];
-    if (b.low.x > b.high.x)
-      b = boxes[i];
-    else
-      join(b, boxes[i]);
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < tets.size(); ++i) {
-    bool near = false;
-    for (int k = 0; k < link.bodies; ++k) near |= k != link.body[tets[i]] && meet(boxes[i], around[k]);
-    if (near) tets[kept] = tets[i], boxes[kept] = boxes[i], ++kept;
-  }
-  tets.resize(kept), boxes.resize(kept);
-}
-
 /// Pairs of tets near each other and not linked, ascending.
 std::vector<std::pair<int, int>> near_pairs(Model const& m, State const& s, Linkage const& link,
                                             std::vector<int> tets, double margin) {
   std::vector<Box> boxes;
   boxes.reserve(tets.size());
   for (int const t : tets) boxes.push_back(box_of(m, s, t, margin));
-  keep_near_others(link, tets, boxes);
   auto pairs = meeting_boxes(boxes);
   for (auto& p : pairs) p = {tets[p.first], tets[p.second]};
   std::vector<char> is_far(pairs.size());
@@ -110,7 +108,7 @@ std::vector<std::pair<int, int>> near_pairs(Model const& m, State const& s, Link
     for (std::size_t i = begin; i < end; ++i) {
       auto const [a, b] = pairs[i];
       is_far[i] =
-          are_linked(m, link, a, b) || gap_between(corners_of(m, s, a), corners_of(m, s, b)) > 2 * margin;
+          are_linked(m, s, link, a, b) || gap_between(corners_of(m, s, a), corners_of(m, s, b)) > 2 * margin;
     }
   });
   std::size_t kept = 0;
@@ -153,34 +151,40 @@ double face_stiffness(Model const& m, int tet) {
          geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, tet)));
 }
 
-double friction_of(Model const& m, int a, int b) {
+/// Fragments of one body rub as the faces of their cracks did; bodies that were never joined as [contact]
+/// says.
+double friction_of(Model const& m, std::vector<int> const& body, int a, int b) {
   auto const &ca = m.source.concretes[m.material_of_tet[a]], &cb = m.source.concretes[m.material_of_tet[b]];
+  double const own = std::min(ca.friction, cb.friction);
+  if (body[a] == body[b]) return own;
   for (auto const& p : m.source.contact_pairs)
     if ((p.materials[0] == ca.name && p.materials[1] == cb.name) ||
         (p.materials[0] == cb.name && p.materials[1] == ca.name))
       return p.friction;
-  return m.source.contact.friction >= 0 ? m.source.contact.friction : std::min(ca.friction, cb.friction);
+  return m.source.contact.friction >= 0 ? m.source.contact.friction : own;
 }
 
 /// Two springs in series, but no more than the step can bear.
-state::ContactScratch::PairConstants constants_of(Model const& m, ContactPair const& p) {
+state::ContactScratch::PairConstants constants_of(Model const& m, std::vector<int> const& body,
+                                                  ContactPair const& p) {
   double const k_a = face_stiffness(m, p.a), k_b = face_stiffness(m, p.b);
   double const m_a = mass_of(m, p.a), m_b = mass_of(m, p.b);
   double const area = std::min(largest_face(m, p.a), largest_face(m, p.b));
   double const limit = stability_share * m_a * m_b / ((m_a + m_b) * m.dt * m.dt * area);
   double const k_n = std::min(2 * k_a * k_b / (k_a + k_b), limit);
-  return {0.5 * k_n, friction_of(m, p.a, p.b)}; // the potential presses with 2 k g
+  return {0.5 * k_n, friction_of(m, body, p.a, p.b)}; // the potential presses with 2 k g
 }
 
 /// Work arrays of the present pairs: constants, overlay slots, and who acts on which tet.
 void prepare(Model const& m, State const& s, Scratch& w) {
   auto& c = w.contact;
   auto const& pairs = s.contact.pairs;
+  if (c.body.empty()) c.body = mesh::connected_bodies(m.mesh, m.adjacency);
   c.constants.resize(pairs.size());
   c.force.assign(pairs.size(), {});
   c.separator.assign(pairs.size(), 0);
   parallel::for_chunks(pairs.size(), tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) c.constants[i] = constants_of(m, pairs[i]);
+    for (std::size_t i = begin; i < end; ++i) c.constants[i] = constants_of(m, c.body, pairs[i]);
   });
   struct Meeting {
     int tet, pair;
@@ -215,10 +219,10 @@ void search(Model const& m, State& s, Scratch& w) {
   auto& c = s.contact;
   Linkage const link = find_linkage(m, s);
   c.is_due = 0;
-  c.travel = 0;
-  c.is_watching = link.bodies > 1 || link.any_parted;
-  w.contact.surface = c.is_watching ? surface_tets(m, s) : std::vector<int>{};
-  c.skin = skin_share * mean_size(m, w.contact.surface);
+  w.contact.surface = surface_tets(m, s);
+  // The list must hold at least until the next look, better for some of them.
+  c.travel = window_travel(m, s, w.contact.surface);
+  c.skin = std::max(skin_share * mean_size(m, w.contact.surface), 10 * c.travel);
   take_over(c.pairs, near_pairs(m, s, link, w.contact.surface, 0.5 * c.skin));
   prepare(m, s, w);
 }
@@ -228,8 +232,7 @@ void search(Model const& m, State& s, Scratch& w) {
 void refresh_pairs(Model const& m, State& s, Scratch& w) {
   if (!m.source.contact.on || s.step % steps_between_looks != 0) return;
   auto& c = s.contact;
-  if (c.is_watching)
-    c.travel += static_cast<double>(steps_between_looks) * m.dt * fastest_node(s, w.contact.surface);
+  c.travel += window_travel(m, s, w.contact.surface);
   if (c.is_due || 2 * c.travel > skin_used * c.skin) search(m, s, w);
 }
 

@@ -26,8 +26,8 @@ constexpr std::size_t hosts_per_chunk = 64;
 constexpr double stable_share = 0.05;
 
 bool is_free(State const& s, int joint) {
-  return joint < 0 || s.joint_status[static_cast<std::size_t>(joint)] ==
-                          static_cast<std::uint8_t>(state::JointStatus::released);
+  return joint < 0 || s.joint_status[static_cast<std::size_t>(joint)] >=
+                          static_cast<std::uint8_t>(state::JointStatus::parting);
 }
 
 auto order_of(RigidTouch const& t) {

@@ -15,7 +15,7 @@ Section contact_section() {
                      "Contact between bodies, fragments, and crack faces that have slid off each other.");
   Fields<ContactSpec> f(s.keys);
   f.flag("on", &ContactSpec::on, "`false`: what is not joined passes through each other.");
-  f.number("friction", &ContactSpec::friction, "Coulomb friction mu.")
+  f.number("friction", &ContactSpec::friction, "Coulomb friction mu between bodies that were never joined.")
       .not_negative()
       .default_is("the smaller `friction` of the two concretes")
       .echoed_if([](ContactSpec const& c) { return c.friction >= 0; });
@@ -29,10 +29,12 @@ void finish_pair(Reader& reader, Node const& table, void* record) {
 }
 
 Section pair_section() {
-  Section s = many_section("contact_pair", &model::Case::contact_pairs, "Friction between two materials.");
+  Section s =
+      many_section("contact_pair", &model::Case::contact_pairs, "Friction between bodies of two materials.");
   s.finish = finish_pair;
   Fields<ContactPairSpec> f(s.keys);
-  f.texts("materials", &ContactPairSpec::materials, "Names of two [[concrete]]; the same twice: within it.")
+  f.texts("materials", &ContactPairSpec::materials,
+          "Names of two [[concrete]]; the same twice: two bodies of it.")
       .required();
   f.number("friction", &ContactPairSpec::friction, "Coulomb friction mu.").not_negative().required();
   return s;

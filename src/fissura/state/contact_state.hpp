@@ -21,10 +21,9 @@ struct ContactPair {
 struct ContactState {
   std::vector<ContactPair> pairs; ///< sorted by (a, b)
   double stored = 0;              ///< energy of the pairs at u_n [J]
-  double travel = 0;              ///< bound of how far any node has moved since the last refresh [m]
-  double skin = 0;                ///< distance within which pairs are listed [m]
-  std::uint8_t is_due = 1;        ///< faces came free since the last refresh (set from several threads)
-  std::uint8_t is_watching = 0;   ///< there is more than one body, or a crack whose faces slid off each other
+  double travel = 0; ///< how far a surface node may have got by the next look, since the last search [m]
+  double skin = 0;   ///< distance within which pairs are listed [m]
+  std::uint8_t is_due = 1; ///< faces came free since the last refresh (set from several threads)
 };
 
 /// Work arrays of contact.
@@ -50,8 +49,8 @@ struct ContactScratch {
   std::vector<std::uint8_t> separator;  ///< per pair: the face that lay between the two tets last
   std::vector<Host> hosts;              ///< by tet
   std::vector<Entry> entries;
-  std::vector<int> surface;      ///< tets with a free face, ascending
-  std::vector<double> stiffness; ///< per tet: k_n of its faces, capped for stability [Pa/m]
+  std::vector<int> surface; ///< tets with a free face, ascending
+  std::vector<int> body;    ///< per tet: the body it belonged to at the start
 };
 
 } // namespace fissura::state

@@ -94,6 +94,40 @@ TEST(Collision, is_the_same_on_any_number_of_threads) {
   }
 }
 
+// Requirement: contact is felt from the first overlap on, however fast the bodies come: nothing is forgiven
+// as an overlap of the start.
+TEST(Collision, is_seen_in_time_at_any_speed) {
+  for (double const speed : {1.0, 5.0, 12.0}) { // up to 6 % of the wave speed
+    Collision c({0, 0.021, 0.033}, {-speed, 0, 0}, false);
+    support::set_velocity(c.t, 0, {speed, 0, 0});
+    double stored = 0;
+    for (int i = 0; i < 40; ++i) {
+      c.t.advance();
+      for (auto const& p : c.t.s.contact.pairs) EXPECT_LE(p.start, 0) << speed;
+      stored = std::max(stored, c.t.s.contact.stored);
+    }
+    EXPECT_TRUE(speed < 5 || stored > 0) << speed;
+  }
+}
+
+// Requirement: two prongs of one sound body that are driven together feel each other.
+TEST(Collision, of_one_body_with_itself) {
+  auto c = support::box_case({1, 1, 1}, {1, 1, 1}, 1);
+  c.concretes = {support::soft_material("soft", {})};
+  c.mesh.boxes = {support::box_of_cells("foot", {0, 0, 0}, {0.1, 0.1, 0.3}, {2, 2, 6}),
+                  support::box_of_cells("low", {0.1, 0, 0}, {0.5, 0.1, 0.1}, {8, 2, 2}),
+                  support::box_of_cells("high", {0.1, 0, 0.2}, {0.5, 0.1, 0.3}, {8, 2, 2})};
+  Stepper t(c);
+  support::set_velocity(t, 1, {0, 0, 20});
+  support::set_velocity(t, 2, {0, 0, -20});
+  double stored = 0;
+  for (int i = 0; i < 200; ++i) {
+    t.advance();
+    stored = std::max(stored, t.s.contact.stored);
+  }
+  EXPECT_GT(stored, 0);
+}
+
 /// A block of concrete flies at a held one and breaks to pieces.
 model::Case shattering() {
   auto c = support::box_case({1, 1, 1}, {1, 1, 1}, 1);

@@ -176,6 +176,21 @@ TEST(HandOver, contact_closes_a_wide_crack_with_the_stiffness_of_the_joint) {
   EXPECT_NEAR(p.force.z, stiffness * p.area() * depth, 0.15 * stiffness * p.area() * depth);
 }
 
+// Requirement: a tet that tips over an edge of its crack face and lands upside down is not pushed by a face
+// it no longer lies against: the force stays within twice the tensile strength all the way to 220 degrees.
+TEST(HandOver, lets_a_tipping_tet_go) {
+  Pair p(model::ShearStrength::constant);
+  Vec3 const centre{0.1 / 3, 0.1 / 3, 0}; // turns about the y axis through the origin, where the joint closes
+  for (int i = 1; i <= 4400; ++i) {
+    double const angle = i * 220.0 / 4400 * 3.14159265358979 / 180;
+    Vec3 const axis{0, -1, 0};
+    Vec3 const to = support::rotation_minus_identity(axis, angle) * centre;
+    p.move(to, angle * axis);
+    ASSERT_LE(norm(p.force), 2 * p.strength()) << angle;
+  }
+  EXPECT_EQ(p.status(), state::JointStatus::released);
+}
+
 /// One random move: pull apart, press, slide, or turn a little. Stops where the force gets too large.
 void random_move(Pair& p, Random& random, double size) {
   double const pressing = random.uniform(-3e-4, 1e-4), far = size * random.uniform(-1, 1);

@@ -1,4 +1,5 @@
-// Requirement: the energy that prestressed bars hold at t = 0 counts as put in, so the balance closes from the start.
+// Requirement: the energy that prestressed bars hold at t = 0 counts as put in, so the balance closes from
+// the start.
 #include <gtest/gtest.h>
 
 #include <cmath>
