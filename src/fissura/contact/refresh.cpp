@@ -230,8 +230,13 @@ void search(Model const& m, State& s, Scratch& w) {
 } // namespace
 
 void refresh_pairs(Model const& m, State& s, Scratch& w) {
-  if (!m.source.contact.on || s.step % steps_between_looks != 0) return;
+  if (!m.source.contact.on) return;
   auto& c = s.contact;
+  if (w.contact.surface.empty()) { // the work arrays are new, as after a restart: the list itself is in the state
+    w.contact.surface = surface_tets(m, s);
+    prepare(m, s, w);
+  }
+  if (s.step % steps_between_looks != 0) return;
   c.travel += window_travel(m, s, w.contact.surface);
   if (c.is_due || 2 * c.travel > skin_used * c.skin) search(m, s, w);
 }
