@@ -10,9 +10,6 @@ state::JointSlots make_joint_slots(model::Model const& m);
 /// Gives side b of a joint a slot of its own: its force is no longer the opposite of side a's.
 void separate_sides(model::Model const& m, state::JointSlots& slots, int joint);
 
-/// The same for all joints that the state says are damaged: after a restart.
-void separate_damaged(model::Model const& m, state::State const& s, state::JointSlots& slots);
-
 /// F_conc,JE at u_n: tractions of all joints into their slots; histories and dissipation move on.
 void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 

@@ -71,7 +71,6 @@ void add(TetSums& to, TetSums const& from) {
 } // namespace
 
 void joint_forces(Model const& m, State& s, Scratch& w) {
-  if (!w.joints.follows_state) separate_damaged(m, s, w.joints);
   DamagedContext const context{m, s, w.joints};
   JointPass const pass{&m.joints,         s.u.data(), w.joints.force.data(), s.joint_status.data(),
                        &evaluate_damaged, &context};

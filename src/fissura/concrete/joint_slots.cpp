@@ -44,10 +44,4 @@ void separate_sides(Model const& m, state::JointSlots& slots, int joint) {
   connect(slots, face.b, face.corner_b, 1, slots.side_b(joint));
 }
 
-void separate_damaged(Model const& m, state::State const& s, state::JointSlots& slots) {
-  for (int j = 0; j < m.joints.count; ++j)
-    if (s.joint_status[j] >= static_cast<std::uint8_t>(state::JointStatus::damaged)) separate_sides(m, slots, j);
-  slots.follows_state = true;
-}
-
 } // namespace fissura::concrete

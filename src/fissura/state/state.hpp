@@ -88,7 +88,6 @@ struct JointSlots {
   core::Buffer<double> force; ///< [joint][3][4] side a; 16 zeros; [joint][3][4] side b of damaged joints [N]
   core::Buffer<int> place;    ///< [block][12][8] face by face, corner by corner: where its force starts
   core::Buffer<double> sign;  ///< [block][4][8] +1, -1, 0 per face
-  bool follows_state = false; ///< the sides of joints that are damaged already have been separated
 
   /// Where the force on side b of a damaged joint starts.
   std::size_t side_b(int joint) const { return force.size() / 2 + 8 + 12 * static_cast<std::size_t>(joint); }
