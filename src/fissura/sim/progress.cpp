@@ -16,8 +16,8 @@ bool Progress::due(double seconds) {
   return true;
 }
 
-double Progress::eta(double done) {
-  Sample const now{elapsed(), done};
+double Progress::eta(double done, double wall) {
+  Sample const now{wall, done};
   std::size_t const size = window_.size();
   Sample const oldest = samples_ == 0     ? Sample{0, 0}
                         : samples_ < size ? window_[0]

@@ -9,7 +9,9 @@ namespace fissura::sim {
 class Progress {
  public:
   /// Seconds of wall time left, from the speed of the last half minute or so; < 0 while unknown.
-  double eta(double done);
+  double eta(double done) { return eta(done, elapsed()); }
+  /// The same at a given wall time since the start [s].
+  double eta(double done, double wall);
   double elapsed() const;
   /// True at most every `seconds` of wall time.
   bool due(double seconds);
