@@ -33,6 +33,7 @@ class Example:
     figure: int | str = 0      # picture.png is this figure, or
     cracks_before: str = ""    # the cracks in the last frame before this count leaves 0 ("" = the last frame)
     tolerance: float = 0.02    # of a column's range, for the mean difference; the scatter of cracking runs
+    fragments: bool = False    # picture.png shows the pieces instead of the cracks
 
 
 EXAMPLE = {
@@ -45,8 +46,12 @@ EXAMPLE = {
     "05_cyclic_tie": Example("cyclic_tie_coarse", ("force", "mean_strain", "steel_stress", "steel_strain", "slip", "crack"), figure=28),
     "06_four_point_beam": Example("four_point", ("load", "deflection", "jack", "steel_stress")),
     "07_compression_prism": Example("compression_case", ("load", "shortening")),
+    "10_column_ground_motion": Example("column_quake", ("head", "foot", "shear", "axial", "bar_stress"), figure="ground_motion"),
     "11_l_panel": Example("l_panel", ("load", "lift"), figure="l_panel"),
     "12_notched_beam": Example("notched_beam", ("load", "jack", "deflection", "mouth"), figure="notched_beam"),
+    "13_spalling_bar": Example("spalling_bar", ("v_a", "v_b", "v_end"), figure="spalling_bar"),
+    "14_drop_weight_beam": Example("drop_weight", ("impulse", "hammer_velocity", "deflection")),
+    "15_dropped_block": Example("dropped_block", ("impulse",), fragments=True),
     "16_colliding_blocks": Example("collision", ("v_target", "v_missile"), tolerance=1e-6),
 }
 
@@ -94,7 +99,7 @@ def write_picture(example, run, runs, name, path):
         broken = np.flatnonzero(run.history[example.cracks_before].values > 0)
         if broken.size:
             times = [t for t in times if t < run.history["time"].values[broken[0]]]
-    moment, scene = picture.make_scene(run, times[-1], "auto", 0.5)
+    moment, scene = picture.make_scene(run, times[-1], "auto", 0.5, example.fragments)
     picture.draw(scene, moment, name, 2, path)
     shrink(path)
 

@@ -14,6 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import figures_cyclic
+import figures_dynamic
 import picture
 import verify_measures as measure
 from figure_parts import THEORY, axes_of, crack_pictures, save, wide
@@ -200,7 +201,7 @@ PAPER = {13: (fig13, ("prism_A", "prism_B", "prism_A_20", "prism_B_20")),
          31: (fig31, tuple(b[0] for b in BEAM_RUNS)),
          32: (fig32, tuple(b[0] for b in BEAM_RUNS)),
          33: (fig33, tuple(b[0] for b in BEAM_RUNS))}
-FIGURES = PAPER | figures_cyclic.FIGURES
+FIGURES = PAPER | figures_cyclic.FIGURES | figures_dynamic.FIGURES
 
 
 def main():

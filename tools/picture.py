@@ -3,6 +3,7 @@
 by their stress, from the side and obliquely, as a PNG.
 
     picture.py runs/demo -o crack.png --time last --warp 20
+    picture.py runs/shattered -o pieces.png --fragments      the pieces instead, each in its colour, single tets brown
 
 The body is drawn as if it were translucent: cracks and bars inside it are seen. Triangles are projected orthographically
 and painted from back to front.
@@ -10,7 +11,7 @@ and painted from back to front.
 import argparse
 import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import matplotlib
@@ -28,6 +29,8 @@ import fissura_io as io
 # The pale end of the map is left out: a hairline crack must stand out from the grey body.
 CRACKS = LinearSegmentedColormap.from_list("cracks", plt.get_cmap("inferno_r")(np.linspace(0.25, 1, 256)))
 BARS = plt.get_cmap("viridis")
+PIECES = 0.45 + 0.55 * plt.get_cmap("tab10")(np.arange(10))[[7, 0, 1, 2, 4, 6, 8, 9, 3], :3]
+CRUMBS = np.array([0.80, 0.70, 0.55])
 # Corners of the face opposite to corner 0, 1, 2, 3 of a tet; normals point outwards.
 FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 
@@ -42,6 +45,9 @@ class Scene:
     bars: np.ndarray          # lines x 2 ends x 3
     stress: np.ndarray        # [MPa]
     warp: float
+    body_colour: np.ndarray | None = None  # of the fragments, or grey
+    planes: np.ndarray = field(default_factory=lambda: np.zeros((0, 3, 3)))
+    impactors: np.ndarray = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
 
 def identical_points(points):
@@ -60,6 +66,20 @@ def outer_faces(grid):
     return faces[single], cells[single // 4]
 
 
+def fragment_faces(grid):
+    """Faces that a tet shares with no tet of its own fragment, the tet (cell) of each, and a colour."""
+    tets, cells = grid.cells(io.TETRAHEDRON)
+    faces = tets[:, FACES].reshape(-1, 3)
+    fragment = grid.cell_data["fragment"][cells]
+    keys = np.column_stack([np.sort(identical_points(grid.points)[faces], axis=1), np.repeat(fragment, 4)])
+    _, first, count = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    single = np.sort(first[count == 1])
+    tets_of = np.bincount(fragment)
+    colours = PIECES[fragment % len(PIECES)]
+    colours[tets_of[fragment] == 1] = CRUMBS
+    return faces[single], cells[single // 4], colours[single // 4]
+
+
 def round_factor(value):
     """The next lower 1, 2 or 5 times a power of ten; a body is never drawn stiffer than it is."""
     if not value > 1:
@@ -76,7 +96,7 @@ def displacement_at(grid, fields, by_position):
     return np.array([by_position.get(p.tobytes(), nothing) for p in grid.points + 0.0]).reshape(-1, 3)
 
 
-def make_scene(run, time, warp, minimum_damage):
+def make_scene(run, time, warp, minimum_damage, fragments=False):
     moment, files = run.frame("fields", time)
     if not files:
         raise io.BadFile(f"{run.folder}: no frame in fields.pvd")
@@ -92,12 +112,12 @@ def make_scene(run, time, warp, minimum_damage):
     def deformed(grid):
         return grid.points + warp * displacement_at(grid, fields, at)
 
-    faces, cells = outer_faces(fields)
+    faces, cells, colours = fragment_faces(fields) if fragments else (*outer_faces(fields), None)
     groups = fields.cell_data.get("group", np.zeros(fields.types.size, int))
     scene = Scene((fields.points + warp * moved)[faces], groups[cells], np.zeros((0, 3, 3)), np.zeros(0),
-                  np.zeros((0, 2, 3)), np.zeros(0), warp)
+                  np.zeros((0, 2, 3)), np.zeros(0), warp, colours)
 
-    for part in run.frame("cracks", moment)[1]:
+    for part in [] if fragments else run.frame("cracks", moment)[1]:
         grid = io.read_vtu(part)
         triangles, which = grid.cells(io.TRIANGLE)
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
@@ -110,7 +130,18 @@ def make_scene(run, time, warp, minimum_damage):
         if which.size:
             scene.bars = np.concatenate([scene.bars, deformed(grid)[lines]])
             scene.stress = np.append(scene.stress, 1e-6 * grid.cell_data["stress"][which])
+    add_rigid_bodies(run, moment, scene)
     return moment, scene
+
+
+def add_rigid_bodies(run, moment, scene):
+    """Planes never move; impactors move with the body's warp, so that they stay where they touch it."""
+    for part in run.frame("rigid", moment)[1]:
+        grid = io.read_vtu(part)
+        triangles, which = grid.cells(io.TRIANGLE)
+        moves = grid.cell_data["impactor"][which] > 0
+        surface = (grid.points + scene.warp * grid.point_data["displacement"])[triangles]
+        scene.planes, scene.impactors = surface[~moves], surface[moves]
 
 
 def side_camera(points, up):
@@ -145,8 +176,13 @@ def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
     seen = np.cross(scene.body[:, 1] - scene.body[:, 0], scene.body[:, 2] - scene.body[:, 0]) @ camera[2] > 0
     body, group = scene.body[seen], scene.body_group[seen]
     order = np.argsort((body @ camera[2]).mean(axis=1))
-    axes.add_collection(PolyCollection((body @ camera[:2].T)[order], facecolors=greys(body, group, camera)[order],
+    colours = greys(body, group, camera)
+    if scene.body_colour is not None:
+        colours = np.clip(1.15 * colours * scene.body_colour[seen], 0, 1)
+    axes.add_collection(PolyCollection((body @ camera[:2].T)[order], facecolors=colours[order],
                                        edgecolors="face", linewidths=0.2, rasterized=True))
+    if scene.planes.size and abs(np.cross(*(scene.planes[0, 1:] - scene.planes[0, 0]) @ camera[:2].T)) > 0:
+        axes.add_collection(PolyCollection(scene.planes @ camera[:2].T, facecolors="#efe9dd", edgecolors="face", zorder=0))
     if scene.stress.size:
         order = np.argsort((scene.bars @ camera[2]).mean(axis=1))
         axes.add_collection(LineCollection((scene.bars @ camera[:2].T)[order], array=scene.stress[order], cmap=BARS,
@@ -157,7 +193,11 @@ def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
         # A crack seen edge-on has no area: its outline shows it.
         axes.add_collection(PolyCollection((scene.cracks @ camera[:2].T)[order], array=scene.opening[order],
                                            cmap=CRACKS, norm=crack_norm, edgecolors="face", linewidths=0.7))
-    corners = scene.body.reshape(-1, 3) @ camera[:2].T
+    if scene.impactors.size:
+        faces = np.cross(scene.impactors[:, 1] - scene.impactors[:, 0], scene.impactors[:, 2] - scene.impactors[:, 0]) @ camera[2] > 0
+        axes.add_collection(PolyCollection(scene.impactors[faces] @ camera[:2].T, facecolors="#3b6ea5", edgecolors="face",
+                                           linewidths=0.2, alpha=0.55))
+    corners = np.concatenate([scene.body.reshape(-1, 3), scene.impactors.reshape(-1, 3)]) @ camera[:2].T
     low, high = corners.min(axis=0), corners.max(axis=0)
     margin = 0.02 * (high - low).max()
     axes.set_xlim(low[0] - margin, high[0] + margin)
@@ -168,7 +208,8 @@ def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
 
 
 def size_of(scene, camera):
-    return np.maximum(np.ptp(scene.body.reshape(-1, 3) @ camera[:2].T, axis=0), 1e-12)
+    shown = np.concatenate([scene.body.reshape(-1, 3), scene.impactors.reshape(-1, 3)])
+    return np.maximum(np.ptp(shown @ camera[:2].T, axis=0), 1e-12)
 
 
 def draw(scene, moment, title, up, out):
@@ -206,12 +247,13 @@ def main():
     parser.add_argument("--warp", default="auto", help="factor on the displacements, or auto")
     parser.add_argument("--up", default="z", choices="xyz", help="axis that points up in the picture")
     parser.add_argument("--min-damage", type=float, default=0.2, help="joints with less damage are not drawn")
+    parser.add_argument("--fragments", action="store_true", help="draw the pieces instead of the cracks")
     parser.add_argument("--title", help="default: the name of the run folder")
     parser.add_argument("-o", "--out", required=True, help="PNG to write")
     arguments = parser.parse_args()
     try:
         run = io.Run(arguments.run)
-        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage)
+        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments)
         draw(scene, moment, arguments.title or run.folder.resolve().name, "xyz".index(arguments.up), arguments.out)
     except (io.BadFile, OSError) as error:
         sys.exit(f"picture: {error}")

@@ -2,9 +2,11 @@
 
 A check passes if |computed - reference| <= tolerance. A check without tolerance is information: it cannot fail.
 """
+import math
 from dataclasses import dataclass
 from typing import Callable
 
+import verify_dynamics as dynamics
 import verify_measures as measure
 
 
@@ -71,7 +73,22 @@ The test itself is softer than elasticity with the measured E from its first poi
 more than the 1.6 to 2.3 J that 65 to 90 N/m need to part 250 x 100 mm: with these values a falling branch must lie below the test's.""", ("l_panel",)),
     "notched_beam": Case("Work of fracture", """A beam of 2000 x 200 x 50 mm with a notch of 100 mm, after Petersson, without its weight (examples/12_notched_beam): the work of the jack until the ligament has parted,
 over the area of the ligament, is G_f. With a plane of joints at midspan; the unstructured mesh has none and a rougher, larger crack.""", ("notched_beam",)),
+    "wave": Case("Waves in a bar", """A gentle push of 300 us (20 kPa) into a slender bar of 2 m, cells of 12.5 mm. The speed is read where the velocity reaches half of
+its peak, between a quarter and the middle of the bar. `alpha_j = sum(A h n_x^2)/V`, the compliance that joints add, is `(1 + sqrt 2) 2^(1/6)` for Kuhn's cells with
+the default `h`. At a free end the velocity doubles."""),
+    "spall": Case("Spalling bar", """A triangular pressure pulse of 10 MPa = 2.5 f_t comes back from the free end as tension. The length of the piece that leaves the
+free end is compared with the place where the net tension first reaches f_t. The formula knows no fracture energy, so the bar is brittle: G_f = 10 N/m."""),
+    "ground_motion": Case("Column under a ground motion", """A column of 0.3 x 0.3 x 3 m under 8 t, its foot moved by a record. Linear: joints that cannot crack, against a mass on a spring that is
+integrated here (Newmark) under the same record. Its frequency comes from the model's own static sway under a lateral acceleration of 0.02 g (Rayleigh, the shape
+of a cantilever for the column's share of the mass), its damping is the deck's mass-proportional damping on absolute velocities."""),
     "fragment": Case("Fragments", """The connected bodies that fracture has left at the end of a run: their masses, steel included, add up to the mass of the model."""),
+    "sliding": Case("Sliding and resting on a rigid plane", """An elastic block of 0.4 x 0.4 x 0.1 m on a plane with Coulomb friction: thrown with 0.5 m/s along it
+(mu = 0.4, full weight from the first step) it stops after `v^2/(2 mu g)`; on a slope of 25 degrees with mu = 0.6 it stays where it has settled; on one of 35 degrees it slides with
+`g (sin - mu cos)` (there with a viscosity of 1 MPa s: without, it chatters and slides faster)."""),
+    "impact": Case("Impact on and by rigid bodies", """An elastic cube of 20 kg lands with 2 m/s on a frictionless floor, flat and on a corner; a rigid ball of 4 kg strikes it off
+its middle with 3 m/s. The residual is the largest of readings every 5 steps, through the impact."""),
+    "drop_weight": Case("Drop weight on an RC beam, dropped block", """Example 14: a guided mass falls on a beam with bars and stirrups. *Impulse balance*: mass times change of velocity against the impulses
+of contact and weight. There is no test to compare with. Example 15: a block of plain concrete falls on a floor and shatters."""),
     "reproducible": Case("Same bits", """Tie 3.4, mesh A: the hash of the final state with one and with two threads."""),
 }
 
@@ -292,6 +309,63 @@ def notched_beam_checks():
         yield Check(case, f"energy residual, {title} [%]", 0, 1, measure.residual, (name,))
 
 
+def rigid_contact_checks():
+    case, way = "sliding", 1e3 * 0.5 ** 2 / (2 * 0.4 * 9.81)
+    yield Check(case, "way of a thrown block, v^2/(2 mu g) [mm]", way, 0.01 * way,
+                lambda run: 1e3 * measure.column(run, "way")[-1], ("sliding",))
+    yield Check(case, "friction takes its kinetic energy [J]", 5, 0.05, lambda run: run.summary["energy"]["contact_friction"],
+                ("sliding",))
+    yield Check(case, "creep on a slope below the friction angle [sizes/s]", 0, 1e-6, measure.creep, ("slope",))
+    yield Check(case, "acceleration on a slope of 35 degrees [m/s2]", 0.805256, 0.008, measure.slope_acceleration, ("slope_steep",))
+    case = "impact"
+    for run, text in (("landing", "a cube that lands flat"), ("landing_corner", "a cube that lands on a corner"),
+                      ("ball", "ball against cube"), ("ball_friction", "ball against cube, with friction")):
+        yield Check(case, f"energy residual, {text} [%]", 0, 0.1, measure.residual, (run,))
+    for run, text in (("ball", "ball and cube"), ("ball_friction", "ball and cube, with friction")):
+        yield Check(case, f"change of linear momentum, {text} [-]", 0, 1e-12, measure.momentum_change, (run,))
+    yield Check(case, "impulse of the floor over the change of momentum, less 1", 0, 1e-12, measure.landing_balance, ("landing",))
+    case, run = "drop_weight", ("drop_weight",)
+
+    def read(key):
+        return lambda r: measure.drop_weight(r)[key]
+
+    yield Check(case, "impulse balance [%]", 0, 0.5, read("balance"), run)
+    yield Check(case, "integral of the force's curve over the impulse, less 1 [%]", 0, 0.5, read("curve"), run)
+    yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
+    yield Check(case, "energy residual of the dropped block, example 15 [%]", 0, 1, measure.residual, ("dropped_block",))
+    yield Check(case, "masses of its fragments over its mass, less 1", 0, 1e-12, measure.fragment_mass_error, ("dropped_block",))
+    for key, text in (("force", "largest impact force [kN]"), ("deflection", "largest deflection at midspan [mm]"),
+                      ("rebound", "velocity of the rebound [m/s]")):
+        yield Check(case, text, float("nan"), INFORMATION, read(key), run)
+
+
+def wave_checks():
+    for p in (20, 60):
+        run, speed = (f"bar_wave_{p}",), dynamics.bar_wave_speed(p)
+        yield Check("wave", f"speed in a bar, p = {p} E [m/s]: sqrt(E/rho)/sqrt(1 + alpha_j E/p)", speed, 0.01 * speed,
+                    dynamics.wave_speed, run)
+        yield Check("wave", f"velocity of the free end over that of the wave, p = {p} E", 2, 0.02, dynamics.free_end_factor, run)
+    case, run, length = "spall", ("spalling_bar",), dynamics.spall_length()
+    yield Check(case, "first spall from the free end [mm]: (f_t/sigma_0) lambda/2", 1e3 * length, 100 * length,
+                lambda r: 1e3 * dynamics.first_spall(r), run)
+    yield Check(case, "energy residual [%]", 0, 1, measure.residual, run)
+
+
+def ground_motion_checks():
+    case = "ground_motion"
+    yield Check(case, "largest sway of the uncracked column over that of one degree of freedom", 1, 0.05, dynamics.sway_over_one_degree,
+                ("column_static", "column_linear"))
+    yield Check(case, "energy residual, uncracked [%]", 0, 1, measure.residual, ("column_linear",))
+    yield Check(case, "energy residual, cracking [%]", 0, 1, measure.residual, ("column_quake",))
+    yield Check(case, "bars yield in the cracking column (1 = yes)", 1, 0, lambda r: float(r.summary["bar_joints_yielded"] > 0),
+                ("column_quake",))
+    yield Check(case, "frequency of the uncracked column [Hz]", float("nan"), INFORMATION, lambda r: dynamics.frequency(r) / (2 * math.pi),
+                ("column_static",))
+    yield Check(case, "largest sway of the cracking column over the linear one", float("nan"), INFORMATION,
+                lambda a, b: dynamics.largest_sway(b) / dynamics.largest_sway(a), ("column_linear", "column_quake"))
+
+
 def all_checks():
     return [c for family in (prism_checks, self_weight_checks, elastic_tie_checks, tie_checks, demo_checks, four_point_checks,
-                             cyclic_tie_checks, cyclic_column_checks, l_panel_checks, notched_beam_checks, other_checks) for c in family()]
+                             cyclic_tie_checks, cyclic_column_checks, l_panel_checks, notched_beam_checks, wave_checks,
+                             ground_motion_checks, rigid_contact_checks, other_checks) for c in family()]

@@ -270,3 +270,42 @@ def cyclic_column(run):
     stress = np.array([column(run, f"stress_{side}") for side in ("left", "right")])
     return {"axial_low": axial.min(), "axial_high": axial.max(), "tension": stress.max() / COLUMN_YIELD,
             "compression": -stress.min() / COLUMN_YIELD, "shear": np.abs(column(run, "shear")).max() / 1e3}
+# The decks of rigid contact: a cube of 20 kg and a ball of 4 kg; a block of 0.4 m thrown with 0.5 m/s.
+CUBE, BALL = 20.0, 4.0
+
+
+def momentum_change(run):
+    """Largest change of the linear momentum of cube and ball, along z and x, over the first [-]."""
+    along_z = CUBE * column(run, "cube") + BALL * column(run, "ball")
+    along_x = CUBE * column(run, "cube_x") + BALL * column(run, "ball_x")
+    return max(np.ptp(along_z), np.ptp(along_x)) / np.hypot(along_z[0], along_x[0])
+
+
+def landing_balance(run):
+    """Impulse of the floor over the cube's change of momentum, less 1."""
+    return column(run, "impulse")[-1] / (CUBE * (column(run, "speed")[-1] - column(run, "speed")[0])) - 1
+
+
+def creep(run):
+    """Of the block on a slope, in the stage `rest`: sizes (0.4 m) per second."""
+    time, way = column(run, "time"), column(run, "creep")
+    rest = time > 0.021
+    return abs(way[rest][-1] - way[rest][0]) / (time[rest][-1] - time[rest][0]) / 0.4
+
+
+def slope_acceleration(run):
+    """Between 30 ms and the end [m/s2]."""
+    time, speed = column(run, "time"), column(run, "speed")
+    return np.polyfit(time[time > 0.03], speed[time > 0.03], 1)[0]
+
+
+def drop_weight(run):
+    """Example 14: error of the impulse balance [%], largest force [kN], largest deflection [mm], rebound [m/s]."""
+    time, speed = column(run, "time"), column(run, "hammer_velocity")
+    mass = next(b["mass"] for b in run.summary["rigid_bodies"] if b["name"] == "hammer")
+    gained = mass * (speed[-1] - speed[0])
+    given = column(run, "impulse")[-1] - mass * 9.81 * time[-1]
+    force = column(run, "impact_force")
+    summed = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(time))
+    return {"balance": 100 * (given / gained - 1), "curve": 100 * (summed / column(run, "impulse")[-1] - 1),
+            "force": force.max() / 1e3, "deflection": 1e3 * column(run, "deflection").max(), "rebound": speed.max()}

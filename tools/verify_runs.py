@@ -113,9 +113,41 @@ def plain_runs():
     yield "notched_beam_unstructured", Spec(notched.format("unstructured"), cost=600, long=True)
 
 
+def rigid_contact_runs():
+    decks = "../tests/verification/decks"
+    yield "sliding", Spec(f"{decks}/sliding.toml", cost=2)
+    yield "slope", Spec(f"{decks}/slope.toml", cost=2)
+    # 35 degrees, steeper than the friction angle; viscosity keeps the block from chattering.
+    yield "slope_steep", Spec(f"{decks}/slope.toml", ("gravity.direction=[0.573576436351,0,-0.819152044289]",
+                                                      'stage.0.mass_damping="0 1/s"', 'concrete.0.mu_bar="1 MPa s"'), cost=4)
+    yield "landing", Spec(f"{decks}/landing.toml", cost=1)
+    yield "landing_corner", Spec(f"{decks}/landing.toml", ('plane.0.point=["-0.1 mm","0 m","0 m"]', "plane.0.normal=[1,1.2,0.9]",
+                                                           'initial_velocity.0.velocity=["-1.11 m/s","-1.332 m/s","-1 m/s"]',
+                                                           'run.end_time="4 ms"', "mesh.box.0.cells=[4,4,4]"), cost=1)
+    yield "ball", Spec(f"{decks}/ball.toml", cost=1)
+    yield "ball_friction", Spec(f"{decks}/ball.toml", ("impactor.0.friction=0.3", 'impactor.0.velocity=["3 m/s","-1 m/s","-3 m/s"]'),
+                                cost=1)
+    yield "drop_weight", Spec("14_drop_weight_beam/case.toml", cost=60)
+    yield "dropped_block", Spec("15_dropped_block/case.toml", cost=60)
+
+
+def dynamic_runs():
+    bar = "13_spalling_bar/case.toml"
+    yield "spalling_bar", Spec(bar, cost=15)
+    gentle = 'traction.0.traction={cycles=["20 kPa"],period="300 us",one_sided=true}'
+    for p in (20, 60):
+        yield f"bar_wave_{p}", Spec(bar, (gentle, f"concrete.0.penalty={p}", "output.frames=1"), cost=15)
+    column = "10_column_ground_motion/case.toml"
+    linear, level = "concrete.0.crackable=false", 'motion.1.acceleration.pga="1e-9 g"'
+    yield "column_quake", Spec(column, cost=90)
+    yield "column_linear", Spec(column, (linear, level), cost=60)
+    yield "column_static", Spec(column, (linear, level, 'motion.0.acceleration.pga="1e-9 g"', "gravity.direction=[0.02,0,-1]",
+                                         'stage.0.duration="1 s"', 'stage.0.mass_damping="26 1/s"'), until=1, cost=25)
+
+
 def all_runs():
     specs = {}
-    for family in (prism_runs, self_weight_runs, tie_runs, beam_runs, cyclic_runs, plain_runs):
+    for family in (prism_runs, self_weight_runs, tie_runs, beam_runs, cyclic_runs, plain_runs, rigid_contact_runs, dynamic_runs):
         specs.update(family())
     return specs
 
@@ -124,7 +156,7 @@ def key_of(spec, program):
     """What a run folder was made from: program, deck, the other files beside the deck that it may read, changes."""
     deck = EXAMPLES / spec.deck
     digest = hashlib.sha256(Path(program).read_bytes())
-    for path in [deck, *sorted(p for p in deck.parent.iterdir() if p.suffix in (".geo", ".msh"))]:
+    for path in [deck, *sorted(p for p in deck.parent.iterdir() if p.suffix in (".geo", ".msh", ".txt"))]:
         digest.update(path.read_bytes())
     digest.update(repr((spec.changes, spec.until, spec.threads)).encode())
     return digest.hexdigest()

@@ -82,18 +82,28 @@ bool is_near(Model const& m, State const& s, int tet, std::size_t body, double s
   return distance(m.rigid[body], centre - s.rigid.body[body].u).value <= reach + skin;
 }
 
-void flag_near_tets(Model const& m, State const& s, RigidScratch& r) {
-  auto const tets = static_cast<std::size_t>(m.tets.count);
-  r.near.resize(tets);
-  parallel::for_chunks(tets, tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      r.near[t] = 0;
-      for (std::size_t b = 0; b < m.rigid.size() && !r.near[t]; ++b)
-        r.near[t] = is_near(m, s, static_cast<int>(t), b, r.skin);
-    }
-  });
+/// Once the faces of a joint begin to part, what lies between them is left to contact.
+bool is_free(State const& s, int joint) {
+  return s.joint_status[static_cast<std::size_t>(joint)] >=
+         static_cast<std::uint8_t>(state::JointStatus::parting);
 }
 
+void find_near_tets(Model const& m, State const& s, RigidScratch& r) {
+  auto const tets = static_cast<std::size_t>(m.tets.count);
+  r.is_near.resize(tets);
+  parallel::for_chunks(tets, tets_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      r.is_near[t] = 0;
+      for (std::size_t b = 0; b < m.rigid.size() && !r.is_near[t]; ++b)
+        r.is_near[t] = is_near(m, s, static_cast<int>(t), b, r.skin);
+    }
+  });
+  r.tets.clear();
+  for (std::size_t t = 0; t < tets; ++t)
+    if (r.is_near[t]) r.tets.push_back(static_cast<int>(t));
+}
+
+/// The faces of one near tet: free ones are listed, those with a joint watched.
 void list_faces(Model const& m, State const& s, Scratch& w, int tet) {
   auto& r = w.rigid;
   int const begin = static_cast<int>(r.faces.size());
@@ -101,46 +111,64 @@ void list_faces(Model const& m, State const& s, Scratch& w, int tet) {
     int const shared = m.adjacency.shared_of_tet[tet][face];
     int const joint = shared < 0 ? -1 : m.joint_of_shared_face[shared];
     if (shared >= 0 && joint < 0) continue; // bonded for ever
+    if (joint >= 0 && !is_free(s, joint)) {
+      r.watched.push_back(joint);
+      continue;
+    }
     Triangle const x = on_face(m.position, tet, face);
     double const area = 0.5 * norm(cross(x[1] - x[0], x[2] - x[0]));
     for (std::size_t b = 0; b < m.rigid.size(); ++b)
       if (is_near(m, s, tet, b, r.skin))
-        r.faces.push_back({tet, joint, static_cast<std::uint8_t>(face), static_cast<std::uint16_t>(b), area,
+        r.faces.push_back({tet, static_cast<std::uint8_t>(face), static_cast<std::uint16_t>(b), area,
                            rigid_stiffness(m, tet, area, m.rigid[b])});
   }
   int const end = static_cast<int>(r.faces.size());
   if (end > begin) r.hosts.push_back({tet, w.overlay.slot_for(tet), begin, end});
 }
 
-void renew(Model const& m, State& s, Scratch& w) {
+/// Lists the free faces of the near tets.
+void list_all(Model const& m, State& s, Scratch& w) {
   auto& r = w.rigid;
-  flag_near_tets(m, s, r);
   r.faces.clear();
   r.hosts.clear();
-  for (int t = 0; t < m.tets.count; ++t)
-    if (r.near[static_cast<std::size_t>(t)]) list_faces(m, s, w, t);
+  r.watched.clear();
+  for (int const t : r.tets) list_faces(m, s, w, t);
   r.results.resize(r.faces.size());
   r.first.resize(r.faces.size());
   s.rigid.touch.reserve(face_points.size() * r.faces.size());
-  r.used = 0;
+}
+
+bool any_came_free(State const& s, RigidScratch const& r) {
+  for (int const joint : r.watched)
+    if (is_free(s, joint)) return true;
+  return false;
+}
+
+/// Whether the list has to be made anew; looks at the speeds when that is due.
+bool skin_is_used_up(Model const& m, State const& s, RigidScratch& r) {
+  if (s.step < r.next_check) return false;
+  double const each = m.dt * (2 * fastest_approach(m, s) + wave_strain * fastest_wave(m)); // [m] per step
+  // A quarter of what is left, so that a look comes well before the end.
+  auto const wait = [&] { return std::floor(0.25 * (r.skin - r.used) / each); };
+  bool const is_used_up = r.next_check < 0 || !(wait() >= 1);
+  if (is_used_up) r.used = 0;
+  double const steps = std::clamp(wait(), 1.0, longest_wait);
+  r.used += steps * each;
+  r.next_check = s.step + static_cast<long>(steps);
+  return is_used_up;
 }
 
 } // namespace
 
 void refresh_rigid_faces(Model const& m, State& s, Scratch& w) {
   auto& r = w.rigid;
-  if (s.step < r.next_check) return;
-  if (r.next_check < 0) {
-    r.skin = skin_share * mean_size(m);
-    r.used = r.skin;
+  if (r.next_check < 0) r.skin = skin_share * mean_size(m);
+  if (skin_is_used_up(m, s, r)) {
+    find_near_tets(m, s, r);
+    list_all(m, s, w);
+  } else if (any_came_free(s, r)) {
+    list_all(m, s, w);
   }
-  double const each = m.dt * (2 * fastest_approach(m, s) + wave_strain * fastest_wave(m)); // [m] per step
-  // A quarter of what is left, so that a look comes well before the end.
-  auto const wait = [&] { return std::floor(0.25 * (r.skin - r.used) / each); };
-  if (!(wait() >= 1)) renew(m, s, w);
-  double const steps = std::clamp(wait(), 1.0, longest_wait);
-  r.used += steps * each;
-  r.next_check = s.step + static_cast<long>(steps);
 }
 
 } // namespace fissura::contact

@@ -25,11 +25,6 @@ constexpr std::size_t hosts_per_chunk = 64;
 /// 0.25).
 constexpr double stable_share = 0.05;
 
-bool is_free(State const& s, int joint) {
-  return joint < 0 || s.joint_status[static_cast<std::size_t>(joint)] >=
-                          static_cast<std::uint8_t>(state::JointStatus::parting);
-}
-
 auto order_of(RigidTouch const& t) {
   return std::tuple(t.tet, t.face, t.body);
 }
@@ -120,7 +115,6 @@ void act_on(Model const& m, State const& s, Scratch& w, RigidScratch::Host const
     result.count = 0;
     result.force = {};
     result.lost = 0;
-    if (!is_free(s, r.faces[f].joint)) continue;
     FacePass pass(m, s, r.faces[f]);
     if (pass.may_touch()) pass.act(r.first[f], result, w.overlay.at(host.slot));
   }

@@ -147,7 +147,7 @@ Grid bar_grid(Model const& m, State const& s) {
 
 FieldWriter::FieldWriter(std::string const& folder)
     : folder_(folder), fields_(folder + "/fields.pvd"), cracks_(folder + "/cracks.pvd"),
-      bars_(folder + "/bars.pvd") {
+      bars_(folder + "/bars.pvd"), rigid_(folder + "/rigid.pvd") {
   std::error_code ec;
   std::filesystem::create_directories(folder + "/frames", ec);
   if (ec)
@@ -165,6 +165,7 @@ void FieldWriter::write(Model const& m, State const& s) {
   add(fields_, "fields", s.time, tet_grid(m, s));
   add(cracks_, "cracks", s.time, crack_grid(m, s));
   add(bars_, "bars", s.time, bar_grid(m, s));
+  if (!m.rigid.empty()) add(rigid_, "rigid", s.time, rigid_grid(m, s));
   ++frame_;
 }
 

@@ -15,8 +15,10 @@ output::Grid tet_grid(model::Model const& m, state::State const& s);
 output::Grid crack_grid(model::Model const& m, state::State const& s);
 /// Bar elements as lines (stress) and bar joints as vertices (slip, strain, stress).
 output::Grid bar_grid(model::Model const& m, state::State const& s);
+/// Surfaces of planes (a patch) and impactors as triangles: displacement, velocity; which body.
+output::Grid rigid_grid(model::Model const& m, state::State const& s);
 
-/// The three collections of a run folder.
+/// The collections of a run folder; that of the rigid bodies only where there are some.
 class FieldWriter {
  public:
   explicit FieldWriter(std::string const& folder);
@@ -27,7 +29,7 @@ class FieldWriter {
  private:
   void add(output::PvdWriter& list, char const* name, double time, output::Grid const& grid);
   std::string folder_;
-  output::PvdWriter fields_, cracks_, bars_;
+  output::PvdWriter fields_, cracks_, bars_, rigid_;
   int frame_ = 0;
 };
 

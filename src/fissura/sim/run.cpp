@@ -60,8 +60,8 @@ void make_folder(std::string const& folder, bool force) {
     throw core::Error(core::Failure::io,
                       fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
-    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "frames",
-                            "log.txt", "case.toml"})
+    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd",
+                            "frames", "log.txt", "case.toml"})
       fs::remove_all(fs::path(folder) / old, ec);
   }
   fs::create_directories(folder, ec);
@@ -327,7 +327,27 @@ class Run {
     j["stable_dt_limiter"] = m_.dt_limiter;
     j["added_mass"] = m_.added_mass;
     j["total_mass"] = m_.total_mass;
+    if (!m_.rigid.empty()) j["rigid_bodies"] = rigid_bodies();
     output::write_json(options_.out + "/run.json", j);
+  }
+
+  /// Planes and impactors as they are at the end.
+  output::Json rigid_bodies() const {
+    auto const vector = [](Vec3 v) { return output::Json::array({v.x, v.y, v.z}); };
+    output::Json list = output::Json::array();
+    for (std::size_t i = 0; i < m_.rigid.size(); ++i) {
+      auto const& b = s_.rigid.body[i];
+      output::Json j = output::Json::object();
+      j["name"] = m_.rigid[i].name;
+      j["contact_impulse"] = vector(b.impulse);
+      if (m_.rigid[i].is_impactor) {
+        j["mass"] = m_.rigid[i].mass;
+        j["displacement"] = vector(b.u);
+        j["velocity"] = vector(b.v);
+      }
+      list.push_back(j);
+    }
+    return list;
   }
 
   RunOptions options_;

@@ -29,9 +29,9 @@ struct RigidState {
 
 /// Work arrays of the contact with rigid bodies.
 struct RigidScratch {
-  /// A face near a body; it acts while it is free.
+  /// A free face near a body.
   struct Face {
-    int tet, joint; ///< joint -1: on the boundary
+    int tet;
     std::uint8_t face;
     std::uint16_t body;
     double area;      ///< [m2], reference
@@ -50,10 +50,12 @@ struct RigidScratch {
   };
   std::vector<Face> faces; ///< sorted by tet, face, body
   std::vector<Host> hosts;
-  std::vector<Result> results; ///< per face
-  std::vector<int> first;      ///< per face: its first entry in RigidState::touch as it was
-  std::vector<std::uint8_t> near;
-  double skin = 0;      ///< distance within which faces are listed [m]
+  std::vector<Result> results;       ///< per face
+  std::vector<int> first;            ///< per face: its first entry in RigidState::touch as it was
+  std::vector<std::uint8_t> is_near; ///< per tet
+  std::vector<int> tets;             ///< near ones, ascending
+  std::vector<int> watched;          ///< their joints that have not let go: a free face may come of each
+  double skin = 0;                   ///< distance within which faces are listed [m]
   double used = 0;      ///< bound of how far anything may have moved towards a body since then [m]
   long next_check = -1; ///< step at which `used` is looked at again; -1 = never looked
 };

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fissura/contact/rigid_shape.hpp"
+#include "fissura/sim/fields.hpp"
 #include "fissura/sim/run.hpp"
 #include "support/cases.hpp"
 #include "unit/output/temporary_folder.hpp"
@@ -74,6 +76,40 @@ core::Failure failure_of(model::Case const& c, sim::RunOptions const& o) {
   }
   ADD_FAILURE() << "no error";
   return core::Failure::run;
+}
+
+// Requirement: where there are rigid bodies, their surfaces are written as frames with the displacement they
+// have, and run.json tells how they ended.
+TEST(RunFolder, shows_rigid_bodies) {
+  TemporaryFolder const folder;
+  auto c = small_tie();
+  c.planes = {{{}, "floor", {0, 0, -1}, {0, 0, 1}, 0.6}};
+  model::ImpactorSpec ball;
+  ball.name = "ball", ball.centre = {0, 0, 2}, ball.radius = 0.5, ball.mass = 3, ball.velocity = {0, 0, -7};
+  auto rod = ball, crate = ball;
+  rod.name = "rod", rod.shape = model::ImpactorSpec::Shape::cylinder, rod.from = {0, 3, 2},
+  rod.to = {1, 4, 2};
+  crate.name = "crate", crate.shape = model::ImpactorSpec::Shape::box, crate.from = {9, 9, 9},
+  crate.to = {8, 7, 6};
+  c.impactors = {ball, rod, crate};
+  sim::run_case(c, options_for(folder / "run"));
+  EXPECT_TRUE(fs::is_regular_file(folder / "run/rigid.pvd"));
+  EXPECT_TRUE(fs::is_regular_file(folder / "run/frames/rigid_00000.vtu"));
+  auto const j = summary(folder / "run");
+  ASSERT_EQ(j["rigid_bodies"].size(), 4u);
+  EXPECT_EQ(j["rigid_bodies"][1]["name"], "ball");
+  EXPECT_NEAR(j["rigid_bodies"][1]["displacement"][2].get<double>(), -7 * j["time"].get<double>(), 1e-12);
+  EXPECT_FALSE(j["rigid_bodies"][0].contains("mass"));
+
+  Stepper const x(c);
+  auto const g = sim::rigid_grid(x.m, x.s);
+  ASSERT_EQ(g.points.size(), 3 * g.types.size());
+  for (std::size_t i = 0; i < g.points.size(); ++i) {
+    auto const body = std::get<std::vector<std::int32_t>>(g.cell_data[0].values)[i / 3];
+    auto const& b = x.m.rigid[static_cast<std::size_t>(body)];
+    double const off = std::abs(contact::distance(b, g.points[i]).value);
+    EXPECT_LE(off, 1e-12) << "a corner of a facet lies off the surface of " << b.name;
+  }
 }
 
 // Requirement: a run folder holds every file that other tools rely on, and run.json every key.

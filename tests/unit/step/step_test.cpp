@@ -67,6 +67,27 @@ TEST(Step, allocates_nothing) {
   EXPECT_GT(concrete::count_joints(m, s).damaged, 0) << "the test should have cracked the tie";
 }
 
+// Requirement: a step allocates nothing while a body presses and slides on a plane and its near faces stay
+// the same.
+TEST(Step, allocates_nothing_on_a_plane) {
+  parallel::Threads const one(1);
+  auto m = tie();
+  model::RigidBody floor;
+  floor.axis = {0, 0, 1}, floor.friction = 0.6;
+  m.rigid = {floor};
+  auto s = step::make_state(m);
+  auto w = step::make_scratch(m);
+  set_field(m, s.v, [](Vec3) { return Vec3{0.02, 0, -0.05}; });
+  for (int i = 0; i < 5; ++i) step::advance(m, s, w);
+  long const before = allocations();
+  for (int i = 0; i < 30; ++i) {
+    step::advance(m, s, w);
+    ASSERT_FALSE(s.rigid.touch.empty());
+  }
+  EXPECT_EQ(allocations() - before, 0);
+  EXPECT_GT(s.ledger.contact_friction, 0);
+}
+
 // Requirement: a reading of the ledger changes nothing in the state, to the bit.
 TEST(Step, reading_the_ledger_changes_nothing) {
   auto const m = tie();
