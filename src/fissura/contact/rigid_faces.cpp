@@ -82,10 +82,12 @@ bool is_near(Model const& m, State const& s, int tet, std::size_t body, double s
   return distance(m.rigid[body], centre - s.rigid.body[body].u).value <= reach + skin;
 }
 
-/// Once the faces of a joint begin to part, what lies between them is left to contact.
+/// A broken joint lets its faces go, closed or not: crushed concrete is pushed out between its neighbours
+/// edge first, and that edge has to meet the body while every face behind it is still pressed against a
+/// neighbour.
 bool is_free(State const& s, int joint) {
   return s.joint_status[static_cast<std::size_t>(joint)] >=
-         static_cast<std::uint8_t>(state::JointStatus::parting);
+         static_cast<std::uint8_t>(state::JointStatus::broken);
 }
 
 void find_near_tets(Model const& m, State const& s, RigidScratch& r) {

@@ -219,6 +219,30 @@ TEST(RigidContact, is_the_same_on_any_number_of_threads) {
   for (int const threads : {2, 3}) EXPECT_EQ(run(threads), one);
 }
 
+// Requirement: of a block that is crushed on a plane nothing sinks in by more than a thirtieth of a cell,
+// also not concrete that is pushed out edge first between its neighbours while all its cracks are still
+// closed.
+TEST(RigidContact, nothing_of_a_crushed_block_sinks_in) {
+  double const cell = 0.06;
+  auto c = box_case({4, 4, 4}, {4 * cell, 4 * cell, 4 * cell}, 1);
+  c.mesh.boxes[0].tets_per_cell = 24;
+  Vec3 const n = unit(Vec3{-0.3, -0.12, 1}), corner{4 * cell, 4 * cell, 0};
+  c.planes = {plane_through(corner - 1e-4 * n, n, 0.6)};
+  c.initial_velocities = {thrown({0, 0, -20})};
+  Stepper x(c);
+  double deepest = 0;
+  while (x.s.time < 1e-3) {
+    x.advance(20);
+    for (std::size_t i = 0; i < 16 * static_cast<std::size_t>(x.m.tets.count); i += 4) {
+      Vec3 const at{x.m.position[i] + x.s.u[i], x.m.position[i + 1] + x.s.u[i + 1],
+                    x.m.position[i + 2] + x.s.u[i + 2]};
+      deepest = std::max(deepest, -dot(at - x.m.rigid[0].centre, n));
+    }
+  }
+  std::printf("deepest %.2f mm\n", 1e3 * deepest);
+  EXPECT_LE(deepest, cell / 30);
+}
+
 // Requirement: when the list of near faces is made anew in the middle of a run, as after a restart, nothing
 // changes to the bit.
 TEST(RigidContact, does_not_depend_on_when_faces_are_listed) {
