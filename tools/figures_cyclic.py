@@ -71,7 +71,7 @@ def column_loops(runs, out):
     below.axhspan(0.95 * 250, 1.05 * 250, color="grey", alpha=0.25, label="250 kN, 5 %")
     below.set_xlabel("time [s]")
     below.set_ylabel("axial load\nat the base [kN]")
-    below.set_ylim(180, 320)
+    below.set_ylim(225, 275)
     below.legend(fontsize=7, loc="lower right")
     save(figure, axes, "Column under cyclic drift and axial load", out)
 

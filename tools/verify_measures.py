@@ -244,7 +244,7 @@ def tie_at_rest(run, share=0.1):
 
 
 # The cyclic column.
-COLUMN_AXIAL, COLUMN_YIELD = 250e3, 420e6
+COLUMN_AXIAL, COLUMN_YIELD, COLUMN_E_S = 250e3, 420e6, 200e9
 
 
 def column_cycles(run):
@@ -263,13 +263,29 @@ def column_cycles(run):
     return [(drift[i], shear[i]) for i in turns]
 
 
+def plastic_under_compression(run, side):
+    """Plastic strain that a bar at the base has gained in compression over the run [-]."""
+    stress = column(run, f"stress_{side}")
+    plastic = np.diff(column(run, f"strain_{side}") - stress / COLUMN_E_S)
+    return -plastic[(stress[1:] < 0) & (plastic < 0)].sum()
+
+
+def column_stability(run):
+    """Mean shear at the turning points of the last cycle over that of the cycle before, both to the same drift."""
+    shear = [abs(s) for _, s in column_cycles(run)[-4:]]
+    return sum(shear[2:]) / sum(shear[:2])
+
+
 def cyclic_column(run):
     time = column(run, "time")
     after = column(run, "time") > run.history["time"].values[first(np.abs(column(run, "reaction_top_x")) > 0)]
     axial = running_mean(time, column(run, "axial"), SHOCK)[after] / COLUMN_AXIAL
     stress = np.array([column(run, f"stress_{side}") for side in ("left", "right")])
-    return {"axial_low": axial.min(), "axial_high": axial.max(), "tension": stress.max() / COLUMN_YIELD,
-            "compression": -stress.min() / COLUMN_YIELD, "shear": np.abs(column(run, "shear")).max() / 1e3}
+    back = min(plastic_under_compression(run, side) for side in ("left", "right"))
+    return {"axial_low": axial.min(), "axial_high": axial.max(), "tension": stress.max(axis=1).min() / COLUMN_YIELD,
+            "back": 100 * back, "compression": -stress.min() / 1e6, "shear": np.abs(column(run, "shear")).max() / 1e3}
+
+
 # The decks of rigid contact: a cube of 20 kg and a ball of 4 kg; a block of 0.4 m thrown with 0.5 m/s.
 CUBE, BALL = 20.0, 4.0
 

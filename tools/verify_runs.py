@@ -98,7 +98,7 @@ def cyclic_runs():
     for mesh, name, cost in (("coarse", "case", 15), ("fine", "fine", 450)):
         yield f"cyclic_tie_{mesh}", Spec(deck.format(name), cost=cost, long=cost > 60)
         yield f"cyclic_tie_{mesh}_mp", Spec(deck.format(name), ("steel.0.law=menegotto_pinto",), cost=cost, long=cost > 60)
-    yield "cyclic_column", Spec("09_cyclic_column/case.toml", cost=700, long=True)
+    yield "cyclic_column", Spec("09_cyclic_column/case.toml", cost=400, long=True)
 
 
 def plain_runs():
