@@ -46,6 +46,8 @@ EXAMPLE = {
     "05_cyclic_tie": Example("cyclic_tie_coarse", ("force", "mean_strain", "steel_stress", "steel_strain", "slip", "crack"), figure=28),
     "06_four_point_beam": Example("four_point", ("load", "deflection", "jack", "steel_stress")),
     "07_compression_prism": Example("compression_case", ("load", "shortening")),
+    "09_cyclic_column": Example("cyclic_column", ("drift", "base_shear", "rise", "axial", "stress_left", "strain_left", "stress_right", "strain_right"),
+                                figure="cyclic_column"),
     "10_column_ground_motion": Example("column_quake", ("head", "foot", "shear", "axial", "bar_stress"), figure="ground_motion"),
     "11_l_panel": Example("l_panel", ("load", "lift"), figure="l_panel"),
     "12_notched_beam": Example("notched_beam", ("load", "jack", "deflection", "mouth"), figure="notched_beam"),
