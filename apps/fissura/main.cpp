@@ -8,6 +8,7 @@
 #include "fissura/core/error.hpp"
 #include "fissura/deck/deck.hpp"
 #include "fissura/sim/bench.hpp"
+#include "fissura/sim/bench_scenes.hpp"
 #include "fissura/sim/check.hpp"
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/template_case.hpp"
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
 
   fissura::sim::BenchOptions bench;
   auto* bench_command = app.add_subcommand("bench", "Time the step: ns per tet-step");
+  bench_command->add_option("--scene", bench.scene, "One of: " + fissura::sim::bench_scene_names());
   bench_command->add_option("--tets", bench.tets, "Tets, about (default 6000)");
   bench_command->add_option("--threads", bench.threads, "Threads (default 1)");
   bench_command->add_option("--steps", bench.steps, "Steps (default: about two seconds)");

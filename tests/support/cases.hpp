@@ -102,7 +102,7 @@ struct Stepper {
   state::Scratch w;
   step::EnergyBalance e;
   explicit Stepper(model::Case const& c)
-      : m(sim::build_model(c, report)), s(step::make_state(m)), w(step::make_scratch(m)) {}
+      : m(sim::build_model(c, report)), s(step::make_state(m)), w(step::make_scratch(m, s)) {}
   void advance(long steps = 1) {
     for (long i = 0; i < steps; ++i) step::advance(m, s, w);
   }

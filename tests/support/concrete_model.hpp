@@ -101,7 +101,7 @@ inline state::State concrete_state(model::Model const& m) {
 }
 inline state::Scratch concrete_scratch(model::Model const& m) {
   state::Scratch w;
-  w.joints = concrete::make_joint_slots(m);
+  w.joints = concrete::make_joint_slots(m, concrete_state(m));
   if (m.bonding.any) w.corner_force = core::Buffer<double>(4 * node_slots(m));
   w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);

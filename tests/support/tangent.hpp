@@ -15,7 +15,7 @@ namespace fissura::support {
 class Tangent {
  public:
   explicit Tangent(model::Model const& m, bool bars_activated)
-      : m_(m), s_(step::make_state(m)), w_(step::make_scratch(m)),
+      : m_(m), s_(step::make_state(m)), w_(step::make_scratch(m, s_)),
         size_(static_cast<std::size_t>(4 * node_count(m))) {
     if (bars_activated) activate_bars(m, s_);
   }

@@ -5,10 +5,15 @@
 
 namespace fissura::concrete {
 
-/// Slots for the forces of all joints, none of them damaged.
-state::JointSlots make_joint_slots(model::Model const& m);
+/// Slots for the forces of all joints, as the state of each demands.
+state::JointSlots make_joint_slots(model::Model const& m, state::State const& s);
 /// Gives side b of a joint a slot of its own: its force is no longer the opposite of side a's.
 void separate_sides(model::Model const& m, state::JointSlots& slots, int joint);
+/// A released joint acts on nobody.
+void remove_from_slots(model::Model const& m, state::JointSlots& slots, int joint);
+
+/// Gives all three points of a joint the damage kappa, as if it had been pulled open and let go; 1 breaks it.
+void set_damage(model::Model const& m, state::State& s, int joint, double kappa);
 
 /// F_conc,JE at u_n: tractions of all joints into their slots; histories and dissipation move on.
 void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
@@ -18,9 +23,6 @@ void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// step dissipated.
 state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w,
                                         Vec3 gravity, Vec3 gravity_mean);
-
-/// The full law of one joint: evaluates its three points, updates its history and overwrites its forces.
-void damaged_joint(model::Model const& m, state::State& s, state::JointSlots& slots, int joint);
 
 /// Elastic energy in the tets at u [J].
 double strain_energy(model::Model const& m, state::State const& s);

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/kernels.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::concrete {
@@ -27,6 +29,18 @@ double hyperelastic_density(double G, double lambda, Mat3 const& H) {
 double paper_density(double G, double lambda, Mat3 const& H) {
   Mat3 const E = 0.5 * (H + transpose(H) + H * transpose(H));
   return G * contract(E, E) + 0.5 * lambda * trace(E) * trace(E);
+}
+
+double damaged_joint_energy(Model const& m, State const& s, int joint) {
+  auto const status = static_cast<JointStatus>(s.joint_status[static_cast<std::size_t>(joint)]);
+  if (status == JointStatus::released) return 0;
+  auto const k = joint_kinematics(m, s, joint);
+  auto const& history = s.joint_history[static_cast<std::size_t>(joint)];
+  auto const law = laws::with_strength(m.joints.law(joint), state::strength_factor(s, joint));
+  double sum = 0;
+  for (int q = 0; q < 3; ++q)
+    sum += laws::cohesive_stored(law, history.point[q], k.at[q], status >= JointStatus::broken);
+  return (1 - history.handed_over) * m.joints.joints[joint].area / 3 * sum;
 }
 
 Mat3 gradient_rows(model::TetBlocks const& t, std::size_t tet) {
@@ -57,7 +71,7 @@ double strain_energy(Model const& m, State const& s) {
         double sum = 0;
         for (std::size_t t = begin; t < end; ++t) {
           Mat3 const H = displacement_gradient(m, s, static_cast<int>(t));
-          double const G = m.tets.shear_modulus[t], lambda = m.tets.lame[t];
+          double const G = m.tets.shear_modulus(t), lambda = m.tets.lame(t);
           bool const paper = m.tets.is_paper[t / model::block];
           sum +=
               m.tets.volume[t] * (paper ? paper_density(G, lambda, H) : hyperelastic_density(G, lambda, H));
@@ -67,20 +81,14 @@ double strain_energy(Model const& m, State const& s) {
 }
 
 double joint_energy(Model const& m, State const& s) {
+  JointPass const pass{&m.joints, s.u.data(), nullptr, s.joint_status.data()};
+  auto const& set = kernels();
   return parallel::sum_chunks<double>(
-      static_cast<std::size_t>(m.joints.count), items_per_chunk, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t j = begin; j < end; ++j) {
-          auto const status = static_cast<JointStatus>(s.joint_status[j]);
-          if (status == JointStatus::released) continue;
-          auto const k = joint_kinematics(m, s, static_cast<int>(j));
-          auto const law =
-              laws::with_strength(m.joints.law[j], state::strength_factor(s, static_cast<int>(j)));
-          for (int q = 0; q < 3; ++q)
-            sum += (1 - s.joint_history[j].handed_over) * m.joints.joints[j].area / 3 *
-                   laws::cohesive_stored(law, s.joint_history[j].point[q], k.at[q],
-                                         status >= JointStatus::broken);
-        }
+      m.joints.blocks(), items_per_chunk / model::block, [&](std::size_t begin, std::size_t end) {
+        double sum = set.intact_joint_energy(pass, begin, end);
+        std::size_t const last = std::min(end * model::block, static_cast<std::size_t>(m.joints.count));
+        for (std::size_t j = begin * model::block; j < last; ++j)
+          if (s.joint_status[j] > 0) sum += damaged_joint_energy(m, s, static_cast<int>(j));
         return sum;
       });
 }
@@ -99,7 +107,7 @@ laws::Dissipation joint_dissipation(Model const& m, State const& s) {
 
 std::array<double, 6> tet_stress(Model const& m, State const& s, int tet) {
   auto const t = static_cast<std::size_t>(tet);
-  double const G = m.tets.shear_modulus[t], lambda = m.tets.lame[t];
+  double const G = m.tets.shear_modulus(t), lambda = m.tets.lame(t);
   Mat3 const H = displacement_gradient(m, s, tet), F = H + Mat3::identity();
   Mat3 const E2 = H + transpose(H) + H * transpose(H); // B - I
   Mat3 T;

@@ -1,4 +1,7 @@
+#include <array>
+
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/damaged_joints.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/parallel/parallel.hpp"
 
@@ -12,17 +15,6 @@ using state::TetSums;
 namespace {
 
 constexpr std::size_t blocks_per_chunk = 32; // 256 tets or joints: the unit of work and of summation
-
-struct DamagedContext {
-  Model const& m;
-  State& s;
-  state::JointSlots& slots;
-};
-
-void evaluate_damaged(void const* context, int joint) {
-  auto const& c = *static_cast<DamagedContext const*>(context);
-  damaged_joint(c.m, c.s, c.slots, joint);
-}
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
 TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::size_t begin,
@@ -71,12 +63,14 @@ void add(TetSums& to, TetSums const& from) {
 } // namespace
 
 void joint_forces(Model const& m, State& s, Scratch& w) {
-  DamagedContext const context{m, s, w.joints};
-  JointPass const pass{&m.joints,         s.u.data(), w.joints.force.data(), s.joint_status.data(),
-                       &evaluate_damaged, &context};
-  auto const run = kernels().joint_forces;
+  JointPass const pass{&m.joints, s.u.data(), w.joints.force.data(), s.joint_status.data()};
+  auto const& set = kernels();
   parallel::for_chunks(m.joints.blocks(), blocks_per_chunk,
-                       [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
+                       [&](std::size_t, std::size_t begin, std::size_t end) {
+                         std::array<int, blocks_per_chunk * model::block> marked;
+                         int const count = set.joint_forces(pass, begin, end, marked.data());
+                         damaged_joints(set, m, s, w.joints, marked.data(), count);
+                       });
 }
 
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {

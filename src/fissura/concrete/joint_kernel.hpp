@@ -1,11 +1,11 @@
 #pragma once
-// Joint forces, Eqs. 13 and 17 before any damage; joints with a history go to the full law, one by one.
+// Joint forces, Eqs. 13 and 17 before any damage; joints with a history are listed for the full law.
 // Included only by the files that are compiled per instruction set.
 #include <cstdint>
 #include <cstring>
 
+#include "fissura/concrete/joint_frame.hpp"
 #include "fissura/concrete/kernels.hpp"
-#include "fissura/core/pack.hpp"
 
 namespace fissura::concrete {
 inline namespace FISSURA_ISA {
@@ -15,8 +15,14 @@ using core::Vec;
 
 /// Elastic constants of one pack of joints.
 template <class V> struct JointConstants {
-  V k, quarter_ft, shear_limit, tan_phi, quarter_fs, weight, look_above;
+  V k, weight, quarter_ft, shear_limit, tan_phi, quarter_fs, look_above;
 };
+template <class V>
+inline JointConstants<V> constants_of(model::JointBlocks const& joints, std::size_t b, int lane0) {
+  auto own = [&](int i) { return load<V>(joints.stiffness.data() + (2 * b + i) * model::block + lane0); };
+  auto limit = [&](int i) { return load<V>(joints.limits.of_block(b) + i * model::block + lane0); };
+  return {own(0), own(1), limit(0), limit(1), limit(2), limit(3), limit(4)};
+}
 
 /// Traction at one mid-edge from its jump d; marks in `beyond` the lanes that left the undamaged range.
 template <bool rate, class V, class M>
@@ -27,64 +33,116 @@ inline Vec<V> intact_traction(JointConstants<V> const& c, Vec<V> d, Vec<V> n, M&
   V const linear = c.k * opening;
   V const used = linear * c.quarter_ft; // = opening/(2 o_p)
   V const sigma = core::choose(opening > zero, V(linear * (one - used)), linear);
-  V const slide = c.k * core::square_root(core::dot(sliding, sliding));
+  V const slide_2 = c.k * c.k * core::dot(sliding, sliding);
   V const pressure = core::choose(linear < zero, V(-linear), zero);
   if constexpr (rate) beyond = beyond || linear > c.look_above;
-  beyond = beyond || used > half || slide > c.shear_limit + c.tan_phi * pressure;
-  return sigma * n + V(c.k * (one - slide * c.quarter_fs)) * sliding;
+  V const limit = c.shear_limit + c.tan_phi * pressure;
+  beyond = beyond || used > half || slide_2 > limit * limit;
+  V slope = c.k;
+  if (core::any(c.quarter_fs > zero)) slope = c.k * (one - core::square_root(slide_2) * c.quarter_fs);
+  return sigma * n + slope * sliding;
 }
 
-template <bool rate, class V> inline void joint_pack(JointPass const& pass, std::size_t b, int lane0) {
-  using core::load_nodes;
-  constexpr int w = core::lanes<V>;
+template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::size_t b, int lane0) {
   int const* const node = pass.joints->node.data() + b * 6 * model::block + lane0;
-  double const* const edge = pass.joints->edge.data() + b * 6 * model::block + lane0;
-  double const* const e = pass.joints->elastic.data() + b * 6 * model::block + lane0;
-
-  Vec<V> jump[3], mean[3];
-  V const half(0.5);
+  float const* const edge = pass.joints->edge.data() + b * 6 * model::block + lane0;
+  Vec<V> on_a[3], on_b[3];
   for (int k = 0; k < 3; ++k) {
-    Vec<V> const ua = load_nodes<V>(pass.u, node + k * model::block);
-    Vec<V> const ub = load_nodes<V>(pass.u, node + (k + 3) * model::block);
-    jump[k] = ub - ua;
-    mean[k] = half * (ua + ub);
+    on_a[k] = core::load_nodes<V>(pass.u, node + k * model::block);
+    on_b[k] = core::load_nodes<V>(pass.u, node + (k + 3) * model::block);
   }
-  // Current mid-triangle: reference edges plus differences of mean displacements, so small jumps lose no
-  // digits.
   auto row = [&](int i) { return load<V>(edge + i * model::block); };
-  Vec<V> const e1 = Vec<V>{row(0), row(1), row(2)} + (mean[1] - mean[0]);
-  Vec<V> const e2 = Vec<V>{row(3), row(4), row(5)} + (mean[2] - mean[0]);
-  Vec<V> const area = core::cross(e1, e2);
-  Vec<V> const n = V(V(1.0) / core::square_root(core::dot(area, area))) * area;
+  return joint_frame<V>(on_a, on_b, {row(0), row(1), row(2)}, {row(3), row(4), row(5)});
+}
 
-  auto constant = [&](int i) { return load<V>(e + i * model::block); };
-  JointConstants<V> c{constant(0), constant(1), constant(2), constant(3), constant(4), constant(5), V(0.0)};
-  if constexpr (rate) c.look_above = load<V>(pass.joints->look_above.data() + b * model::block + lane0);
-  auto beyond = V(0.0) > V(1.0);
-  Vec<V> const t01 = intact_traction<rate>(c, half * (jump[0] + jump[1]), n, beyond);
-  Vec<V> const t12 = intact_traction<rate>(c, half * (jump[1] + jump[2]), n, beyond);
-  Vec<V> const t20 = intact_traction<rate>(c, half * (jump[2] + jump[0]), n, beyond);
+/// Side a comes along in order; side b lies anywhere. Fetching it two blocks ahead hides the way to memory.
+inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
+  constexpr std::size_t ahead = 2;
+  if (b + ahead >= pass.joints->blocks()) return;
+  int const* const node = pass.joints->node.data() + ((b + ahead) * 6 + 3) * model::block;
+  for (int i = 0; i < model::block; ++i) {
+    double const* const tet = pass.u + (node[i] & ~15);
+    __builtin_prefetch(tet);
+    __builtin_prefetch(tet + 8);
+  }
+}
 
+/// Which of its joints a pack has to leave to the full law.
+struct MarkedJoints {
+  int* list;
+  int count = 0;
+
+  /// Without a branch: which joints of a crack's neighbourhood are damaged is beyond prediction.
+  void add_if(bool is_marked, int joint, std::uint8_t status) {
+    list[count] = joint;
+    count += is_marked & (status != static_cast<std::uint8_t>(state::JointStatus::released));
+  }
+};
+
+template <bool rate, class V>
+inline void joint_pack(JointPass const& pass, std::size_t b, int lane0, MarkedJoints& marked) {
+  constexpr int w = core::lanes<V>;
   std::size_t const first = b * model::block + lane0;
+  std::uint8_t const* const status = pass.status + first;
+  std::uint8_t any = 0, all = 1;
+  for (int i = 0; i < w; ++i) any |= status[i], all &= status[i] > 0;
+  if (all) {
+    for (int i = 0; i < w; ++i) marked.add_if(true, static_cast<int>(first) + i, status[i]);
+    return;
+  }
+  auto const f = frame_of<V>(pass, b, lane0);
+  auto const c = constants_of<V>(*pass.joints, b, lane0);
+  auto beyond = V(0.0) > V(1.0);
+  Vec<V> const t01 = intact_traction<rate>(c, jump_at(f, 0), f.normal, beyond);
+  Vec<V> const t12 = intact_traction<rate>(c, jump_at(f, 1), f.normal, beyond);
+  Vec<V> const t20 = intact_traction<rate>(c, jump_at(f, 2), f.normal, beyond);
+
   double* const force = pass.force + 12 * first;
   core::store_nodes<V>(force, 12, c.weight * (t20 + t01));
   core::store_nodes<V>(force + 4, 12, c.weight * (t01 + t12));
   core::store_nodes<V>(force + 8, 12, c.weight * (t12 + t20));
-
-  std::uint8_t const* const status = pass.status + first;
-  std::uint8_t marked = 0;
-  for (int i = 0; i < w; ++i) marked |= status[i];
-  if (!marked && !core::any(beyond)) [[likely]]
+  if (!any && !core::any(beyond)) [[likely]]
     return;
   for (int i = 0; i < w; ++i)
-    if (status[i] || core::lane(beyond, i)) pass.damaged(pass.context, static_cast<int>(first) + i);
+    marked.add_if((status[i] > 0) | core::lane(beyond, i), static_cast<int>(first) + i, status[i]);
 }
 
-template <class V> void joint_forces(JointPass const& pass, std::size_t begin, std::size_t end) {
-  bool const rate = pass.joints->look_above.size() > 0;
+/// Energy that undamaged joints hold [J]; leaves out all others.
+template <class V> inline V intact_energy(JointPass const& pass, std::size_t b, int lane0) {
+  auto const f = frame_of<V>(pass, b, lane0);
+  auto const c = constants_of<V>(*pass.joints, b, lane0);
+  V const zero(0.0), half(0.5), third(1.0 / 3);
+  V sum = zero;
+  for (int q = 0; q < 3; ++q) {
+    Vec<V> const d = jump_at(f, q);
+    V const opening = core::dot(d, f.normal), open = core::larger(opening, zero);
+    Vec<V> const sliding = d - opening * f.normal;
+    V const square = core::dot(sliding, sliding), slide = core::square_root(square);
+    sum = sum + c.k * (opening * opening * (half - third * c.k * c.quarter_ft * open) +
+                       square * (half - third * c.k * c.quarter_fs * slide));
+  }
+  double is_intact[core::lanes<V>];
+  for (int i = 0; i < core::lanes<V>; ++i) is_intact[i] = pass.status[b * model::block + lane0 + i] == 0;
+  return V(2.0) * load<V>(is_intact) * c.weight * sum; // area/3 per point
+}
+
+template <class V> double intact_joint_energy(JointPass const& pass, std::size_t begin, std::size_t end) {
+  V sum(0.0);
   for (std::size_t b = begin; b < end; ++b)
     for (int lane = 0; lane < model::block; lane += core::lanes<V>)
-      rate ? joint_pack<true, V>(pass, b, lane) : joint_pack<false, V>(pass, b, lane);
+      sum = sum + intact_energy<V>(pass, b, lane);
+  return core::sum_lanes(sum);
+}
+
+template <class V> int joint_forces(JointPass const& pass, std::size_t begin, std::size_t end, int* list) {
+  bool const rate = pass.joints->any_rate;
+  MarkedJoints marked{list};
+  for (std::size_t b = begin; b < end; ++b) {
+    prefetch_side_b(pass, b);
+    for (int lane = 0; lane < model::block; lane += core::lanes<V>)
+      rate ? joint_pack<true, V>(pass, b, lane, marked) : joint_pack<false, V>(pass, b, lane, marked);
+  }
+  return marked.count;
 }
 
 } // namespace FISSURA_ISA

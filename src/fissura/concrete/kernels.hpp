@@ -3,19 +3,18 @@
 #include <cstddef>
 #include <string_view>
 
+#include "fissura/concrete/joint_batch.hpp"
 #include "fissura/model/blocks.hpp"
 #include "fissura/state/state.hpp"
 
 namespace fissura::concrete {
 
-/// What the joint loop needs. `damaged` evaluates one joint by the full law and overwrites its force.
+/// What the joint loops need.
 struct JointPass {
   model::JointBlocks const* joints;
   double const* u;
   double* force;
   std::uint8_t const* status;
-  void (*damaged)(void const* context, int joint);
-  void const* context;
 };
 
 /// What the tet loop needs beside the state arrays.
@@ -36,7 +35,10 @@ struct TetPass {
 /// One set of kernels per instruction set; [begin, end) are blocks.
 struct KernelSet {
   std::string_view name; ///< "x86-64-v2", "x86-64-v3", "x86-64-v4", or "scalar" (the oracle)
-  void (*joint_forces)(JointPass const&, std::size_t begin, std::size_t end);
+  /// Lists the joints that have a history or leave the undamaged range, and returns their number.
+  int (*joint_forces)(JointPass const&, std::size_t begin, std::size_t end, int* marked);
+  double (*intact_joint_energy)(JointPass const&, std::size_t begin, std::size_t end); ///< [J]
+  void (*act_batch)(DamagedPass const&, JointBatch&);                                  ///< their full law
   state::TetSums (*tet_forces)(TetPass const&, std::size_t begin, std::size_t end);
 };
 

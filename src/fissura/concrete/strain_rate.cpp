@@ -26,14 +26,14 @@ double decay(Model const& m, int joint, int tet) {
   auto const t = static_cast<std::size_t>(tet);
   auto const& c = m.source.concretes[m.material_of_tet[t]];
   double const speed =
-      std::sqrt((2 * m.tets.shear_modulus[t] + m.tets.lame[t]) / (c.density * c.density_factor));
+      std::sqrt((2 * m.tets.shear_modulus(t) + m.tets.lame(t)) / (c.density * c.density_factor));
   return std::exp(-m.dt * speed / (memory * m.joints.joints[joint].h));
 }
 
 } // namespace
 
 double follow_strain_rate(Model const& m, State& s, int joint, Vec3 normal) {
-  if (s.joint_rate.size() == 0 || !m.joints.law[joint].straight_tension) return 1;
+  if (s.joint_rate.size() == 0 || !m.joints.law(joint).straight_tension) return 1;
   auto& r = s.joint_rate[joint];
   if (!r.frozen) {
     auto const& face = m.adjacency.shared[m.joints.joints[joint].shared_face];

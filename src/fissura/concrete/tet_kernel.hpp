@@ -29,6 +29,9 @@ template <class V> struct TetPack {
   int lane0;
   Vec<V> u[4], v[4], f[4];
 
+  TetPack(TetPass const& tets, std::size_t of_block, int from_lane)
+      : pass(tets), block(of_block), lane0(from_lane) {} // the rest is loaded: to zero it first takes time
+
   double const* constant(core::Buffer<double> const& b, int components) const {
     return b.data() + block * components * model::block + lane0;
   }
@@ -51,7 +54,8 @@ template <class V> struct TetPack {
     double const* const gp = constant(t.gradient, 9);
     auto row = [&](int i) { return load<V>(gp + i * model::block); };
     Vec<V> const g[3] = {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
-    V const G = load<V>(constant(t.shear_modulus, 1)), lambda = load<V>(constant(t.lame, 1));
+    double const* const moduli = t.moduli.of_block(block) + lane0;
+    V const G = load<V>(moduli), lambda = load<V>(moduli + model::block);
     V const volume = load<V>(constant(t.volume, 1));
 
     Vec<V> const du[3] = {u[1] - u[0], u[2] - u[0], u[3] - u[0]};
@@ -84,7 +88,7 @@ template <class V> struct TetPack {
 
   /// mu_bar D of Eq. 8 with L = Fdot F^-1, evaluated at the last half step. Returns its power V J mu D : D.
   V add_viscous(Mat<V>& P, Mat<V> const& C, V J, Vec<V> const* g, V volume) {
-    V const mu = load<V>(constant(pass.tets->viscosity, 1)), half(0.5);
+    V const mu = load<V>(pass.tets->moduli.of_block(block) + 2 * model::block + lane0), half(0.5);
     Vec<V> const dv[3] = {v[1] - v[0], v[2] - v[0], v[3] - v[0]};
     Mat<V> const Fdot = gradient_of(dv, g);
     V const inv = V(1.0) / J;
@@ -103,7 +107,7 @@ template <class V> struct TetPack {
 
   void gather_joint_forces() {
     int const* const where = pass.joints->place.data() + block * 12 * model::block + lane0;
-    double const* const sign = constant(pass.joints->sign, 4);
+    float const* const sign = pass.joints->sign.data() + block * 4 * model::block + lane0;
     double const* const force = pass.joints->force.data();
     for (int face = 0; face < 4; ++face) {
       V const s = load<V>(sign + face * model::block);
@@ -142,7 +146,7 @@ template <class V> struct TetPack {
   /// damping.
   void integrate(V (&sums)[3]) {
     V const zero(0.0), half(0.5), dt(pass.dt), alpha(pass.local_damping);
-    V const ratio = load<V>(constant(pass.tets->weight_ratio, 1));
+    V const ratio = pass.tets->any_scaled ? load<V>(constant(pass.tets->weight_ratio, 1)) : V(1.0);
     V const keep(1 - 0.5 * pass.mass_damping * pass.dt), scale(1 / (1 + 0.5 * pass.mass_damping * pass.dt));
     Vec<V> const g{V(pass.gravity.x) * ratio, V(pass.gravity.y) * ratio, V(pass.gravity.z) * ratio};
     Vec<V> const gm{V(pass.gravity_mean.x) * ratio, V(pass.gravity_mean.y) * ratio,
@@ -177,21 +181,23 @@ template <class V> struct TetPack {
   }
 };
 
-template <class V> inline double sum_lanes(V v) {
-  if constexpr (std::is_same_v<V, double>)
-    return v;
-  else {
-    double s = 0;
-    for (int i = 0; i < core::lanes<V>; ++i) s += v[i];
-    return s;
-  }
+/// Forces of joints that the tet does not own lie anywhere: fetched two blocks ahead.
+inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
+  constexpr std::size_t ahead = 2;
+  if (b + ahead >= pass.tets->blocks()) return;
+  int const* const where = pass.joints->place.data() + (b + ahead) * 12 * model::block;
+  for (int face = 0; face < 4; ++face)
+    for (int i = 0; i < model::block; ++i)
+      for (int corner : {0, 2}) // a force spans two lines
+        __builtin_prefetch(pass.joints->force.data() + where[(3 * face + corner) * model::block + i]);
 }
 
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
   V viscous(0.0), sums[3] = {V(0.0), V(0.0), V(0.0)};
-  for (std::size_t b = begin; b < end; ++b)
+  for (std::size_t b = begin; b < end; ++b) {
+    prefetch_joint_forces(pass, b);
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
-      TetPack<V> p{pass, b, lane, {}, {}, {}};
+      TetPack<V> p(pass, b, lane);
       p.load_state();
       viscous +=
           pass.tets->is_paper[b] ? p.template internal_forces<true>() : p.template internal_forces<false>();
@@ -202,11 +208,12 @@ template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t be
       else
         p.integrate(sums);
     }
+  }
   state::TetSums r;
-  r.viscous = sum_lanes(viscous) * pass.dt;
-  r.kinetic = sum_lanes(sums[0]);
-  r.local_damping = sum_lanes(sums[1]) * pass.dt;
-  r.gravity = sum_lanes(sums[2]) * pass.dt;
+  r.viscous = core::sum_lanes(viscous) * pass.dt;
+  r.kinetic = core::sum_lanes(sums[0]);
+  r.local_damping = core::sum_lanes(sums[1]) * pass.dt;
+  r.gravity = core::sum_lanes(sums[2]) * pass.dt;
   return r;
 }
 

@@ -15,8 +15,10 @@
 #define FISSURA_ISA isa_v4
 #elif defined(__AVX2__)
 #define FISSURA_ISA isa_v3
-#else
+#elif defined(__SSE4_2__)
 #define FISSURA_ISA isa_v2
+#else
+#define FISSURA_ISA isa_v1
 #endif
 
 namespace fissura::core {
@@ -29,6 +31,12 @@ template <class V> inline constexpr int lanes = V::size();
 template <> inline constexpr int lanes<double> = 1;
 
 template <class V> inline V load(double const* p) {
+  if constexpr (std::is_same_v<V, double>)
+    return *p;
+  else
+    return V(p, stdx::element_aligned);
+}
+template <class V> inline V load(float const* p) {
   if constexpr (std::is_same_v<V, double>)
     return *p;
   else
@@ -59,10 +67,32 @@ template <class V> inline Vec<V> cross(Vec<V> a, Vec<V> b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+template <class V> inline double sum_lanes(V v) {
+  if constexpr (std::is_same_v<V, double>)
+    return v;
+  else {
+    double s = 0;
+    for (int i = 0; i < lanes<V>; ++i) s += v[i];
+    return s;
+  }
+}
+
 template <class V> inline V square_root(V a) {
   using std::sqrt;
   using stdx::sqrt;
   return sqrt(a);
+}
+/// 1/sqrt(a) for a > 0, to the last digit or two.
+template <class V> inline V inverse_root(V a) {
+#if defined(__AVX512F__)
+  if constexpr (lanes<V> == 8) {
+    V r(_mm512_rsqrt14_pd(static_cast<__m512d>(a)));
+    V const half = V(0.5) * a;
+    for (int i = 0; i < 2; ++i) r = r * (V(1.5) - half * r * r); // Newton: 14, 28, 56 bits
+    return r;
+  }
+#endif
+  return V(1.0) / square_root(a);
 }
 template <class V> inline V absolute(V a) {
   using std::abs;
@@ -78,6 +108,12 @@ template <class V, class M> inline V choose(M condition, V a, V b) {
     return b;
   }
 }
+template <class V> inline V larger(V a, V b) {
+  return choose(a > b, a, b);
+}
+template <class V> inline V smaller(V a, V b) {
+  return choose(a < b, a, b);
+}
 template <class M> inline bool any(M m) {
   if constexpr (std::is_same_v<M, bool>)
     return m;
@@ -91,11 +127,11 @@ template <class M> inline bool lane(M m, int i) {
     return m[i];
 }
 
-/// The nodes at base + index[0], base + index[1], ... (indices in doubles, multiples of 4).
-template <class V> inline Vec<V> load_nodes(double const* base, int const* index) {
+/// Four doubles per lane, at base + index[0], base + index[1], ... (indices in doubles), into out[0..3].
+template <class V> inline void load_fours(double const* base, int const* index, V (&out)[4]) {
   if constexpr (std::is_same_v<V, double>) {
     double const* p = base + index[0];
-    return {p[0], p[1], p[2]};
+    out[0] = p[0], out[1] = p[1], out[2] = p[2], out[3] = p[3];
   } else {
 #if defined(__AVX512F__)
     auto two = [&](int i) {
@@ -107,63 +143,69 @@ template <class V> inline Vec<V> load_nodes(double const* base, int const* index
     __m512d const t2 = _mm512_unpacklo_pd(r2, r3), t3 = _mm512_unpackhi_pd(r2, r3);
     __m512i const even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
                   odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-    return {V(_mm512_permutex2var_pd(t0, even, t2)), V(_mm512_permutex2var_pd(t1, even, t3)),
-            V(_mm512_permutex2var_pd(t0, odd, t2))};
+    out[0] = V(_mm512_permutex2var_pd(t0, even, t2)), out[1] = V(_mm512_permutex2var_pd(t1, even, t3));
+    out[2] = V(_mm512_permutex2var_pd(t0, odd, t2)), out[3] = V(_mm512_permutex2var_pd(t1, odd, t3));
 #elif defined(__AVX2__)
     __m256d const a = _mm256_loadu_pd(base + index[0]), b = _mm256_loadu_pd(base + index[1]);
     __m256d const c = _mm256_loadu_pd(base + index[2]), d = _mm256_loadu_pd(base + index[3]);
     __m256d const t0 = _mm256_unpacklo_pd(a, b), t1 = _mm256_unpackhi_pd(a, b);
     __m256d const t2 = _mm256_unpacklo_pd(c, d), t3 = _mm256_unpackhi_pd(c, d);
-    return {V(_mm256_permute2f128_pd(t0, t2, 0x20)), V(_mm256_permute2f128_pd(t1, t3, 0x20)),
-            V(_mm256_permute2f128_pd(t0, t2, 0x31))};
+    out[0] = V(_mm256_permute2f128_pd(t0, t2, 0x20)), out[1] = V(_mm256_permute2f128_pd(t1, t3, 0x20));
+    out[2] = V(_mm256_permute2f128_pd(t0, t2, 0x31)), out[3] = V(_mm256_permute2f128_pd(t1, t3, 0x31));
 #else
-    Vec<V> r;
-    for (int i = 0; i < lanes<V>; ++i) {
-      r.x[i] = base[index[i]];
-      r.y[i] = base[index[i] + 1];
-      r.z[i] = base[index[i] + 2];
-    }
-    return r;
+    for (int i = 0; i < lanes<V>; ++i)
+      for (int c = 0; c < 4; ++c) out[c][i] = base[index[i] + c];
 #endif
   }
 }
 
-/// Stores lane i at p + i*stride as x, y, z, 0.
-template <class V> inline void store_nodes(double* p, std::ptrdiff_t stride, Vec<V> v) {
+/// The opposite of load_fours.
+template <class V> inline void store_fours(double* base, int const* index, V const (&in)[4]) {
   if constexpr (std::is_same_v<V, double>) {
-    p[0] = v.x, p[1] = v.y, p[2] = v.z, p[3] = 0;
+    double* p = base + index[0];
+    p[0] = in[0], p[1] = in[1], p[2] = in[2], p[3] = in[3];
   } else {
 #if defined(__AVX512F__)
-    __m512d const x = static_cast<__m512d>(v.x), y = static_cast<__m512d>(v.y), z = static_cast<__m512d>(v.z);
-    __m512d const o = _mm512_setzero_pd();
+    __m512d const x = static_cast<__m512d>(in[0]), y = static_cast<__m512d>(in[1]);
+    __m512d const z = static_cast<__m512d>(in[2]), w = static_cast<__m512d>(in[3]);
     __m512d const t0 = _mm512_unpacklo_pd(x, y), t1 = _mm512_unpackhi_pd(x, y);
-    __m512d const t2 = _mm512_unpacklo_pd(z, o), t3 = _mm512_unpackhi_pd(z, o);
+    __m512d const t2 = _mm512_unpacklo_pd(z, w), t3 = _mm512_unpackhi_pd(z, w);
     __m512i const even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
                   odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
     auto put = [&](int i, __m512d a) {
-      _mm256_storeu_pd(p + i * stride, _mm512_castpd512_pd256(a));
-      _mm256_storeu_pd(p + (i + 4) * stride, _mm512_extractf64x4_pd(a, 1));
+      _mm256_storeu_pd(base + index[i], _mm512_castpd512_pd256(a));
+      _mm256_storeu_pd(base + index[i + 4], _mm512_extractf64x4_pd(a, 1));
     };
-    put(0, _mm512_permutex2var_pd(t0, even, t2));
-    put(2, _mm512_permutex2var_pd(t0, odd, t2));
-    put(1, _mm512_permutex2var_pd(t1, even, t3));
-    put(3, _mm512_permutex2var_pd(t1, odd, t3));
+    put(0, _mm512_permutex2var_pd(t0, even, t2)), put(2, _mm512_permutex2var_pd(t0, odd, t2));
+    put(1, _mm512_permutex2var_pd(t1, even, t3)), put(3, _mm512_permutex2var_pd(t1, odd, t3));
 #elif defined(__AVX2__)
-    __m256d const x = static_cast<__m256d>(v.x), y = static_cast<__m256d>(v.y), z = static_cast<__m256d>(v.z);
-    __m256d const o = _mm256_setzero_pd();
+    __m256d const x = static_cast<__m256d>(in[0]), y = static_cast<__m256d>(in[1]);
+    __m256d const z = static_cast<__m256d>(in[2]), w = static_cast<__m256d>(in[3]);
     __m256d const t0 = _mm256_unpacklo_pd(x, y), t1 = _mm256_unpackhi_pd(x, y);
-    __m256d const t2 = _mm256_unpacklo_pd(z, o), t3 = _mm256_unpackhi_pd(z, o);
-    _mm256_storeu_pd(p, _mm256_permute2f128_pd(t0, t2, 0x20));
-    _mm256_storeu_pd(p + stride, _mm256_permute2f128_pd(t1, t3, 0x20));
-    _mm256_storeu_pd(p + 2 * stride, _mm256_permute2f128_pd(t0, t2, 0x31));
-    _mm256_storeu_pd(p + 3 * stride, _mm256_permute2f128_pd(t1, t3, 0x31));
+    __m256d const t2 = _mm256_unpacklo_pd(z, w), t3 = _mm256_unpackhi_pd(z, w);
+    _mm256_storeu_pd(base + index[0], _mm256_permute2f128_pd(t0, t2, 0x20));
+    _mm256_storeu_pd(base + index[1], _mm256_permute2f128_pd(t1, t3, 0x20));
+    _mm256_storeu_pd(base + index[2], _mm256_permute2f128_pd(t0, t2, 0x31));
+    _mm256_storeu_pd(base + index[3], _mm256_permute2f128_pd(t1, t3, 0x31));
 #else
-    for (int i = 0; i < lanes<V>; ++i) {
-      double* const q = p + i * stride;
-      q[0] = v.x[i], q[1] = v.y[i], q[2] = v.z[i], q[3] = 0;
-    }
+    for (int i = 0; i < lanes<V>; ++i)
+      for (int c = 0; c < 4; ++c) base[index[i] + c] = in[c][i];
 #endif
   }
+}
+
+/// The nodes at base + index[0], base + index[1], ... (indices in doubles, multiples of 4).
+template <class V> inline Vec<V> load_nodes(double const* base, int const* index) {
+  V node[4];
+  load_fours(base, index, node);
+  return {node[0], node[1], node[2]};
+}
+
+/// Stores lane i at p + i*stride as x, y, z, 0.
+template <class V> inline void store_nodes(double* p, int stride, Vec<V> v) {
+  int index[lanes<V>];
+  for (int i = 0; i < lanes<V>; ++i) index[i] = i * stride;
+  store_fours(p, index, {v.x, v.y, v.z, V(0.0)});
 }
 
 } // namespace FISSURA_ISA

@@ -47,6 +47,8 @@ struct CohesiveParams {
   bool straight_tension = false, straight_shear = false; ///< shape up to the strength: line or parabola
   CohesiveLaw law = CohesiveLaw::energy_consistent;
   bool crackable = true;
+
+  bool operator==(CohesiveParams const&) const = default;
 };
 
 /// Throws core::Error (input) naming the first parameter outside its range.
@@ -55,6 +57,9 @@ CohesiveParams make_cohesive_params(CohesiveInput const& input);
 /// The joint with strengths f_t and f_s (c with Mohr-Coulomb) times `factor`; fracture energies stay. The
 /// undamaged joint must be straight up to its strength: then its energy does not depend on the strength.
 CohesiveParams with_strength(CohesiveParams p, double factor) noexcept;
+
+/// The same strengths and fracture energies with the initial slope k.
+CohesiveParams with_stiffness(CohesiveParams p, double k) noexcept;
 
 struct CohesiveHistory {
   double kappa = 0;              ///< largest damage D so far; 1 = this point has failed

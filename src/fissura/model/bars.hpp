@@ -46,6 +46,9 @@ struct FaceCrossing {
       weights{};     ///< barycentric weights of the crossing, in the order of SharedFace::corner_a
   double cosine = 0; ///< |n.r| at t = 0
   double h = 0;      ///< edge of the regular tet with the mean volume of the two neighbours [m]
+  /// Jump across the face below which it is surely intact [m]. Neither opening nor sliding exceeds the length
+  /// of the jump, s_p is never below f_s/k, and strain rates only raise strengths: most faces need no more.
+  double surely_intact = 0;
 };
 
 /// Where a bar passes from the tet of elem_a (its end P_1) to that of elem_b (its end P_0). P_A and P_B

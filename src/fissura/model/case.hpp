@@ -31,7 +31,7 @@ struct MeshSpec {
   std::string file;        ///< .msh or .geo, absolute or resolved against the deck's folder; empty with boxes
   double length_unit = 1;  ///< metres per length unit of the file
   double element_size = 0; ///< target size for .geo [m]; 0 = as the file says
-  bool separate = false;      ///< touching bodies of the file whose faces do not match meet by contact
+  bool separate = false;   ///< touching bodies of the file whose faces do not match meet by contact
   bool allow_outside = false; ///< the file may lie outside the deck's folder
 };
 
@@ -232,12 +232,12 @@ struct ImpactorSpec { ///< a rigid body that moves without turning
   Place place;
   std::string name;
   Shape shape = Shape::sphere;
-  Vec3 centre;           ///< sphere [m]
-  Vec3 from, to;         ///< cylinder: ends of its axis; box: opposite corners [m]
-  double radius = 0;     ///< sphere, cylinder [m]
-  double mass = 0;       ///< [kg]
-  Vec3 velocity;         ///< at t = 0 [m/s]
-  double friction = 0.6; ///< mu
+  Vec3 centre;                                 ///< sphere [m]
+  Vec3 from, to;                               ///< cylinder: ends of its axis; box: opposite corners [m]
+  double radius = 0;                           ///< sphere, cylinder [m]
+  double mass = 0;                             ///< [kg]
+  Vec3 velocity;                               ///< at t = 0 [m/s]
+  double friction = 0.6;                       ///< mu
   std::array<bool, 3> moves{true, true, true}; ///< false: a guide holds this component
 };
 struct InitialVelocitySpec {

@@ -58,7 +58,7 @@ Mat3 joint_fabric(Model const& m, int concrete) {
       return Vec3{m.joints.edge[at(j, e, 6)], m.joints.edge[at(j, e + 1, 6)], m.joints.edge[at(j, e + 2, 6)]};
     };
     Vec3 const n = unit(cross(edge(0), edge(3)));
-    double const share = 0.5 * sides * joint.area / m.joints.law[i].k / volume;
+    double const share = 0.5 * sides * joint.area / m.joints.k(static_cast<std::size_t>(i)) / volume;
     for (int r = 0; r < 3; ++r) fabric[r] += share * n[r] * n;
   }
   return fabric;

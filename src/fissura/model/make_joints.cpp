@@ -1,9 +1,11 @@
 #include "fissura/model/make_joints.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "fissura/core/error.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/select.hpp"
 
@@ -56,43 +58,60 @@ bool along_axis(Vec3 normal, int axis) {
 /// rate is gathered there.
 constexpr double look_share = 0.5;
 
+constexpr double never = 1e300;
+
+/// The numbers by which the undamaged branch knows that it has come to its end.
+std::array<double, 5> limits_of(laws::CohesiveParams const& law) {
+  if (!law.crackable) return {0, never, 0, 0, never};
+  double const share = law.straight_tension ? look_share : 1;
+  return {law.straight_tension ? 0 : 1 / (4 * law.f_t), share * (law.straight_shear ? law.f_s : 2 * law.f_s),
+          share * law.tan_phi, law.straight_shear ? 0 : 1 / (4 * law.f_s),
+          law.straight_tension ? look_share * law.f_t : never};
+}
+
 /// Padding joints sit on tet 0 with no stiffness and no area.
-void make_joint_data(Model& m) {
+void make_joint_data(Model& m, std::vector<double> const& k) {
   auto& j = m.joints;
   std::size_t const n = j.blocks() * block;
   j.node = core::Buffer<int>(6 * n);
-  j.edge = core::Buffer<double>(6 * n);
-  j.elastic = core::Buffer<double>(6 * n);
-  bool const rate = std::any_of(j.law.begin(), j.law.end(), [](auto const& l) { return l.straight_tension; });
-  if (rate) j.look_above = core::Buffer<double>(n);
+  j.edge = core::Buffer<float>(6 * n);
+  j.stiffness = core::Buffer<double>(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
-    if (rate) j.look_above[i] = 1e300;
     if (i >= static_cast<std::size_t>(j.count)) {
       j.edge[at(i, 0, 6)] = j.edge[at(i, 4, 6)] = 1;
       continue;
     }
     auto const& joint = j.joints[i];
     auto const g = geometry_of(m, m.adjacency.shared[joint.shared_face]);
-    for (int k = 0; k < 3; ++k) {
-      j.node[at(i, k, 6)] = 4 * joint.node_a[k];
-      j.node[at(i, k + 3, 6)] = 4 * joint.node_b[k];
-      j.edge[at(i, k, 6)] = (g.x[1] - g.x[0])[k];
-      j.edge[at(i, k + 3, 6)] = (g.x[2] - g.x[0])[k];
+    for (int c = 0; c < 3; ++c) {
+      j.node[at(i, c, 6)] = 4 * joint.node_a[c];
+      j.node[at(i, c + 3, 6)] = 4 * joint.node_b[c];
+      j.edge[at(i, c, 6)] = static_cast<float>((g.x[1] - g.x[0])[c]);
+      j.edge[at(i, c + 3, 6)] = static_cast<float>((g.x[2] - g.x[0])[c]);
     }
-    auto const& law = j.law[i];
-    double const never = 1e300;
-    j.elastic[at(i, 0, 6)] = law.k;
-    double const share = law.straight_tension ? look_share : 1;
-    j.elastic[at(i, 1, 6)] = law.crackable && !law.straight_tension ? 1 / (4 * law.f_t) : 0;
-    j.elastic[at(i, 2, 6)] = !law.crackable ? never : share * (law.straight_shear ? law.f_s : 2 * law.f_s);
-    j.elastic[at(i, 3, 6)] = law.crackable ? share * law.tan_phi : 0;
-    j.elastic[at(i, 4, 6)] = law.crackable && !law.straight_shear ? 1 / (4 * law.f_s) : 0;
-    j.elastic[at(i, 5, 6)] = joint.area / 6;
-    if (law.crackable && law.straight_tension) j.look_above[i] = look_share * law.f_t;
+    j.stiffness[at(i, 0, 2)] = k[i];
+    j.stiffness[at(i, 1, 2)] = joint.area / 6;
   }
+  j.limits = SharedRows<5, block>(n, [&](std::size_t i) {
+    return i < j.kind.size() ? limits_of(j.kinds[j.kind[i]]) : std::array<double, 5>{0, never, 0, 0, never};
+  });
+  for (auto const& kind : j.kinds) j.any_rate |= kind.crackable && kind.straight_tension;
 }
 
 } // namespace
+
+void JointBlocks::add(Joint const& joint, laws::CohesiveParams const& law) {
+  auto const unit_law = laws::with_stiffness(law, 1);
+  auto at = std::find(kinds.rbegin(), kinds.rend(), unit_law);
+  if (at == kinds.rend()) {
+    if (kinds.size() > 0xffff)
+      throw core::Error(core::Failure::input, "more than 65,536 kinds of joints (regions times concretes)");
+    kinds.push_back(unit_law);
+    at = kinds.rbegin();
+  }
+  kind.push_back(static_cast<std::uint16_t>(kinds.rend() - at - 1));
+  joints.push_back(joint);
+}
 
 double joint_size(Model const& m, int shared_face, ConcreteSpec const& c) {
   auto const& f = m.adjacency.shared[shared_face];
@@ -152,6 +171,7 @@ laws::CohesiveParams joint_law(Model const& m, JointRegions const& regions, int 
 void make_joints(Model& m) {
   auto& j = m.joints;
   JointRegions const regions(m);
+  std::vector<double> k;
   m.joint_of_shared_face.assign(m.adjacency.shared.size(), -1);
   for (std::size_t f = 0; f < m.adjacency.shared.size(); ++f) {
     auto const& face = m.adjacency.shared[f];
@@ -161,22 +181,23 @@ void make_joints(Model& m) {
     m.joint_of_shared_face[f] = j.count++;
     Joint joint;
     joint.shared_face = static_cast<int>(f);
-    for (int k = 0; k < 3; ++k) {
-      joint.node_a[k] = node_of(face.a.tet, face.corner_a[k]);
-      joint.node_b[k] = node_of(face.b.tet, face.corner_b[k]);
+    for (int c = 0; c < 3; ++c) {
+      joint.node_a[c] = node_of(face.a.tet, face.corner_a[c]);
+      joint.node_b[c] = node_of(face.b.tet, face.corner_b[c]);
     }
     joint.area = geometry_of(m, face).area;
     joint.h = joint_size(m, static_cast<int>(f), weaker_side(m, face));
-    j.joints.push_back(joint);
-    j.law.push_back(joint_law(m, regions, static_cast<int>(f)));
+    auto const law = joint_law(m, regions, static_cast<int>(f));
+    j.add(joint, law);
+    k.push_back(law.k);
   }
-  make_joint_data(m);
+  make_joint_data(m, k);
 }
 
 WeakestPlane weakest_plane(Model const& m, int axis) {
   WeakestPlane worst;
   for (int i = 0; i < m.joints.count; ++i) {
-    auto const& law = m.joints.law[i];
+    auto const law = m.joints.law(i);
     if (!law.crackable) continue;
     double const cosine =
         std::abs(geometry_of(m, m.adjacency.shared[m.joints.joints[i].shared_face]).normal[axis]);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "fissura/model/make_blocks.hpp"
@@ -6,6 +8,10 @@
 namespace fissura::model {
 
 namespace {
+
+std::array<double, 3> moduli_of(ConcreteSpec const& c) {
+  return {c.E / (2 * (1 + c.nu)), c.E * c.nu / ((1 + c.nu) * (1 - 2 * c.nu)), c.mu_bar};
+}
 
 /// Padding lanes: identity edges, no volume, no mass.
 void make_tet_data(Model& m) {
@@ -17,9 +23,6 @@ void make_tet_data(Model& m) {
   t.gradient = core::Buffer<double>(9 * n);
   t.volume = core::Buffer<double>(n);
   t.inverse_mass = core::Buffer<double>(4 * n);
-  t.shear_modulus = core::Buffer<double>(n);
-  t.lame = core::Buffer<double>(n);
-  t.viscosity = core::Buffer<double>(n);
   t.weight_ratio = core::Buffer<double>(n);
   t.is_paper.assign(t.blocks(), 0);
   m.position = core::Buffer<double>(16 * n);
@@ -35,11 +38,9 @@ void make_tet_data(Model& m) {
     t.volume[i] = determinant(edges) / 6;
     for (int a = 0; a < 3; ++a)
       for (int r = 0; r < 3; ++r) t.gradient[at(i, 3 * a + r, 9)] = gradient[a][r];
-    t.shear_modulus[i] = c.E / (2 * (1 + c.nu));
-    t.lame[i] = c.E * c.nu / ((1 + c.nu) * (1 - 2 * c.nu));
-    t.viscosity[i] = c.mu_bar;
     t.any_viscosity |= c.mu_bar > 0;
     t.weight_ratio[i] = 1 / c.density_factor;
+    t.any_scaled |= c.density_factor != 1;
     t.is_paper[i / block] |= c.tet_law == TetLaw::paper;
     double const mass = c.density * t.volume[i];
     m.total_mass += mass;
@@ -49,6 +50,9 @@ void make_tet_data(Model& m) {
       for (int r = 0; r < 3; ++r) m.position[16 * i + 4 * a + static_cast<std::size_t>(r)] = x[a][r];
     }
   }
+  auto const last = static_cast<std::size_t>(t.count - 1); // padding is of the last tet's concrete
+  t.moduli = SharedRows<3, block>(
+      n, [&](std::size_t i) { return moduli_of(m.source.concretes[m.material_of_tet[std::min(i, last)]]); });
 }
 
 int find_root(std::vector<int>& parent, int i) {
@@ -114,6 +118,7 @@ void scale_masses(Model& m, std::span<double const> factor) {
       m.mass[4 * t + a] *= factor[t];
     }
     m.tets.weight_ratio[t] /= factor[t];
+    m.tets.any_scaled = true;
   }
   renew_inverse_masses(m);
 }

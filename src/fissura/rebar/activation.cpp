@@ -1,6 +1,7 @@
 #include "fissura/rebar/activation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace fissura::rebar {
 
@@ -32,14 +33,17 @@ laws::Separation separation_at(model::FaceCrossing const& face, mesh::SharedFace
   return {opening, norm(d - opening * n), 0};
 }
 
+double surely_intact_jump(laws::CohesiveParams const& law) {
+  return law.crackable ? std::min(law.o_p, law.f_s / law.k) : std::numeric_limits<double>::infinity();
+}
+
+bool may_separate(model::FaceCrossing const& face, mesh::SharedFace const& shared, Nodes const& nodes) {
+  Vec3 const d = jump_at(face, shared, nodes);
+  return !(dot(d, d) < face.surely_intact * face.surely_intact);
+}
+
 bool separates(model::FaceCrossing const& face, mesh::SharedFace const& shared,
                laws::CohesiveParams const& law, Nodes const& nodes) {
-  if (!law.crackable) return false;
-  // Neither opening nor sliding exceeds the length of the jump, and s_p is never below f_s/k: most faces end
-  // here.
-  Vec3 const d = jump_at(face, shared, nodes);
-  double const surely_intact = std::min(law.o_p, law.f_s / law.k);
-  if (dot(d, d) < surely_intact * surely_intact) return false;
   return laws::cohesive_damage(law, laws::CohesiveHistory{}, separation_at(face, shared, nodes)) > 0;
 }
 

@@ -15,6 +15,11 @@ namespace fissura::rebar {
 laws::Separation separation_at(model::FaceCrossing const& face, mesh::SharedFace const& shared,
                                Nodes const& nodes);
 
+/// FaceCrossing::surely_intact of a face with this law [m].
+double surely_intact_jump(laws::CohesiveParams const& law);
+/// False where the jump at the crossing is below that.
+bool may_separate(model::FaceCrossing const& face, mesh::SharedFace const& shared, Nodes const& nodes);
+
 /// True where opening > o_p or sliding > s_p (for the pressure there) at the crossing: D > 0 in Eq. 19.
 bool separates(model::FaceCrossing const& face, mesh::SharedFace const& shared,
                laws::CohesiveParams const& law, Nodes const& nodes);

@@ -42,9 +42,11 @@ class JointStep {
   bool some_face_separates() const {
     for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
       auto const& face = m_.bars.faces[f];
+      auto const& shared = m_.adjacency.shared[face.shared_face];
+      if (!may_separate(face, shared, nodes_)) continue;
       auto const law =
-          laws::with_strength(m_.joints.law[face.joint], state::strength_factor(whole_, face.joint));
-      if (separates(face, m_.adjacency.shared[face.shared_face], law, nodes_)) return true;
+          laws::with_strength(m_.joints.law(face.joint), state::strength_factor(whole_, face.joint));
+      if (separates(face, shared, law, nodes_)) return true;
     }
     return false;
   }

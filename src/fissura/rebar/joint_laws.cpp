@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fissura/rebar/activation.hpp"
 #include "fissura/rebar/rebar.hpp"
 
 namespace fissura::rebar {
@@ -29,7 +30,7 @@ Series faces_in_series(model::Model const& m, model::BarJoint const& j) {
   double largest = 0;
   for (int f = j.faces_begin; f < j.faces_end; ++f) {
     auto const& face = m.bars.faces[f];
-    auto const& law = m.joints.law[face.joint];
+    auto const law = m.joints.law(face.joint);
     s.compliance += face.cosine / law.k;
     largest = std::max(largest, 1 / law.k);
     if (!law.crackable) continue;
@@ -72,6 +73,7 @@ model::BarJointLaw law_of(model::Model const& m, model::BarJoint const& j) {
 void set_bar_joint_laws(model::Model& m) {
   m.bars.settings = m.source.bar_settings;
   m.bars.joint_law.clear();
+  for (auto& face : m.bars.faces) face.surely_intact = surely_intact_jump(m.joints.law(face.joint));
   m.bars.joint_law.reserve(m.bars.joints.size());
   for (auto const& j : m.bars.joints) {
     try {

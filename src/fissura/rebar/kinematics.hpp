@@ -1,7 +1,9 @@
 #pragma once
 // How bar elements and bar joints have moved, from the displacements of their host tets. Nodal arrays hold x,
 // y, z, 0 of node 4 tet + corner from entry 4 (4 tet + corner). Nothing here allocates.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "fissura/core/vec3.hpp"
 #include "fissura/model/bars.hpp"
@@ -31,7 +33,14 @@ struct ElementStretch {
   double elongation = 0;
   Vec3 direction;
 };
-ElementStretch stretch_of(model::BarElement const& e, Nodes const& nodes);
+inline ElementStretch stretch_of(model::BarElement const& e, Nodes const& nodes) {
+  Vec3 du;
+  for (int c = 0; c < 4; ++c) du += (e.w1[c] - e.w0[c]) * nodes.displacement(e.tet, c);
+  Vec3 const now = e.axis + du;
+  double const length = norm(now);
+  // l^2 - l_i^2 = du.(2 axis + du): no difference of nearly equal lengths
+  return {dot(du, e.axis + now) / (length + e.length), length > 0 ? now / length : Vec3{}};
+}
 
 /// How far a bar joint has opened. The transverse directions turn with tet_a.
 struct JointJump {
@@ -41,11 +50,33 @@ struct JointJump {
   double axial = 0;        ///< d.r [m]
   double t_1 = 0, t_2 = 0; ///< half of d along across_1 and across_2: t_v of the theory [m]
 };
-JointJump jump_of(model::BarJoint const& j, Vec3 direction_a, Vec3 direction_b, Nodes const& nodes);
+inline JointJump jump_of(model::BarJoint const& j, Vec3 direction_a, Vec3 direction_b, Nodes const& nodes) {
+  JointJump k;
+  k.r = unit(direction_a + direction_b);
+  k.d = nodes.displacement(j.tet_b, j.w_b) - nodes.displacement(j.tet_a, j.w_a);
+  Vec3 const edge = nodes.current(j.tet_a, j.frame_edge[1]) - nodes.current(j.tet_a, j.frame_edge[0]);
+  k.across_1 = unit(edge - dot(edge, k.r) * k.r);
+  k.across_2 = cross(k.r, k.across_1);
+  k.axial = dot(k.d, k.r);
+  k.t_1 = 0.5 * dot(k.d, k.across_1);
+  k.t_2 = 0.5 * dot(k.d, k.across_2);
+  return k;
+}
 
 /// Barycentric weights, in the tet as it is now, of its point with weights w moved by `step` [m]. A force at
 /// a point common to both tets has no couple only if it is shared out by these. The change of the weights is
 /// limited to 1.
-std::array<double, 4> moved_weights(int tet, std::array<double, 4> const& w, Vec3 step, Nodes const& nodes);
+inline std::array<double, 4> moved_weights(int tet, std::array<double, 4> const& w, Vec3 step,
+                                           Nodes const& nodes) {
+  Vec3 const x0 = nodes.current(tet, 0);
+  Vec3 const a = nodes.current(tet, 1) - x0, b = nodes.current(tet, 2) - x0, c = nodes.current(tet, 3) - x0;
+  double const det = dot(a, cross(b, c));
+  if (!(det > 0)) return w; // an inverted tet has no inside
+  Vec3 const share = (1 / det) * step;
+  Vec3 change{dot(share, cross(b, c)), dot(share, cross(c, a)), dot(share, cross(a, b))};
+  double const largest = std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)});
+  if (largest > 1) change = change / largest;
+  return {w[0] - change.x - change.y - change.z, w[1] + change.x, w[2] + change.y, w[3] + change.z};
+}
 
 } // namespace fissura::rebar

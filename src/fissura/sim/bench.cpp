@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fmt/format.h>
 
+#include "fissura/concrete/concrete.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/parallel/parallel.hpp"
+#include "fissura/sim/bench_scenes.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/monitor.hpp"
 #include "fissura/step/advance.hpp"
@@ -15,40 +16,20 @@ namespace fissura::sim {
 
 namespace {
 
-model::Case cube(int cells) {
-  model::Case c;
-  model::BoxSpec box;
-  double const edge = 0.05 * cells;
-  box.to = {edge, edge, edge};
-  box.cells = {cells, cells, cells};
-  c.mesh.boxes = {box};
-  model::ConcreteSpec concrete;
-  concrete.name = "concrete";
-  concrete.E = 30e9;
-  concrete.f_t = 3e6;
-  concrete.f_c = 30e6;
-  c.concretes = {concrete};
-  c.run.end_time = 1;
-  return c;
-}
-
-/// Every node its own small velocity, so that nothing is trivially zero.
-void shake(model::Model const& m, state::State& s) {
-  for (int node = 0; node < 4 * m.tet_count(); ++node)
-    for (int r = 0; r < 3; ++r) s.v[4 * node + r] = 1e-6 * ((node * 7 + r * 3) % 11 - 5);
+std::string what_joints(concrete::JointCounts const& n) {
+  return n.damaged == 0 ? "" : fmt::format(" ({} damaged, {} of them broken)", n.damaged, n.broken);
 }
 
 } // namespace
 
 std::string bench(BenchOptions const& options) {
+  auto const& scene = bench_scene(options.scene);
   parallel::Threads const threads(options.threads);
-  int const cells =
-      std::max(1, static_cast<int>(std::lround(std::cbrt(static_cast<double>(options.tets) / 6))));
   BuildReport report;
-  auto const m = build_model(cube(cells), report);
+  auto const m = build_model(scene.make_case(options.tets), report);
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
-  shake(m, s);
+  scene.prepare(m, s);
+  auto w = step::make_scratch(m, s);
   Monitor monitor(m);
   step::EnergyBalance energy;
   auto one = [&] {
@@ -64,10 +45,10 @@ std::string bench(BenchOptions const& options) {
   for (long i = 0; i < steps; ++i) one();
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   double const each = seconds / (static_cast<double>(steps) * m.tet_count());
-  return fmt::format("uncracked cube: {} tets, {} joints, {} threads, kernels {}, {} steps: {:.2f} ns per "
+  return fmt::format("{}: {} tets, {} joints{}, {} threads, kernels {}, {} steps: {:.2f} ns per "
                      "tet-step ({:.2f} million per second)\n",
-                     m.tet_count(), m.joint_count(), threads.count(), concrete::kernels().name, steps,
-                     each * 1e9, 1e-6 / each);
+                     scene.what, m.tet_count(), m.joint_count(), what_joints(concrete::count_joints(m, s)),
+                     threads.count(), concrete::kernels().name, steps, each * 1e9, 1e-6 / each);
 }
 
 } // namespace fissura::sim

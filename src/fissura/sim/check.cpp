@@ -18,7 +18,7 @@ namespace {
 /// Seconds per step, measured on the real problem for a fraction of a second.
 double measured_step(model::Model const& m) {
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
+  auto w = step::make_scratch(m, s);
   using clock = std::chrono::steady_clock;
   step::advance(m, s, w);
   auto const start = clock::now();

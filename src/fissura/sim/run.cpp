@@ -83,7 +83,7 @@ class Run {
   Run(model::Case const& c, RunOptions const& options)
       : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads),
         log_(make_log(options.quiet)), m_(build_model(c, report_)), s_(step::make_state(m_)),
-        w_(step::make_scratch(m_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
+        w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
         history_due_(c.output.history_every > 0 ? c.output.history_every
                                                 : end_ / std::max(1, c.output.history_points)),
         frame_due_(c.output.frames_every > 0 ? c.output.frames_every

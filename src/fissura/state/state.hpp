@@ -17,13 +17,19 @@ namespace fissura::state {
 /// parting one has slid so far that it hands its load over to contact; a released one carries nothing.
 enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, parting = 3, released = 4 };
 
-struct JointHistory {
+/// Doubles and nothing else: packs read and write it as rows of four (concrete/batch_kernel.hpp).
+struct alignas(32) JointHistory {
   std::array<laws::CohesiveHistory, 3> point{}; ///< at the mid-edges 01, 12, 20
   std::array<laws::Separation, 3> last{};       ///< separations one step ago, once the joint is damaged
   laws::Dissipation dissipated{};               ///< [J]
-  double time_of_failure = 0;                   ///< [s]; 0 = not failed
   double handed_over = 0;                       ///< share of the pair's load that is left to contact, 0 ... 1
+  double farthest = 0;                          ///< largest squared distance between the nodes of a pair [m2]
+  double time_of_failure = 0;                   ///< [s]; 0 = not failed
+  std::array<double, 2> spare{};
+
+  static constexpr int doubles = 32;
 };
+static_assert(sizeof(JointHistory) == JointHistory::doubles * sizeof(double));
 
 /// Strain rate at a joint whose strength depends on it, while it is stressed beyond half of its strength.
 struct JointRate {
@@ -49,9 +55,9 @@ struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
   double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
   double contact_friction = 0, absorbed = 0;                   ///< dissipated
-  double start = 0;                                            ///< held at t = 0 (prestressed bars, bodies in motion)
-  double kinetic_before = 0;                                   ///< kinetic energy one step ago
-  double absolute_work = 0;                                    ///< sum of |dW_ext|
+  double start = 0;          ///< held at t = 0 (prestressed bars, bodies in motion)
+  double kinetic_before = 0; ///< kinetic energy one step ago
+  double absolute_work = 0;  ///< sum of |dW_ext|
 };
 
 struct State {
@@ -87,8 +93,12 @@ struct TetSums {
 struct JointSlots {
   core::Buffer<double> force; ///< [joint][3][4] side a; 16 zeros; [joint][3][4] side b of damaged joints [N]
   core::Buffer<int> place;    ///< [block][12][8] face by face, corner by corner: where its force starts
-  core::Buffer<double> sign;  ///< [block][4][8] +1, -1, 0 per face
+  core::Buffer<float> sign;   ///< [block][4][8] +1, -1, 0 per face
+  std::vector<double> laws;   ///< of the damaged joints, in the order of concrete/joint_batch.hpp
 
+  std::size_t zeros() const { return force.size() / 2 - 8; }
+  /// Where the force on side a of a joint starts.
+  std::size_t side_a(int joint) const { return 12 * static_cast<std::size_t>(joint); }
   /// Where the force on side b of a damaged joint starts.
   std::size_t side_b(int joint) const { return force.size() / 2 + 8 + 12 * static_cast<std::size_t>(joint); }
 };

@@ -90,7 +90,7 @@ State make_state(Model const& m) {
   s.v = core::Buffer<double>(4 * nodes);
   s.joint_status = core::Buffer<std::uint8_t>(joints);
   s.joint_history = core::Buffer<state::JointHistory>(joints);
-  if (m.joints.look_above.size() > 0) s.joint_rate = core::Buffer<state::JointRate>(joints);
+  if (m.joints.any_rate) s.joint_rate = core::Buffer<state::JointRate>(joints);
   s.bars = rebar::make_bar_state(m.bars);
   s.reaction.assign(m.prescribed.size(), 0);
   s.prescribed_velocity.assign(m.prescribed.size(), 0);
@@ -103,10 +103,10 @@ State make_state(Model const& m) {
   return s;
 }
 
-Scratch make_scratch(Model const& m) {
+Scratch make_scratch(Model const& m, State const& s) {
   Scratch w;
   std::size_t const tets = m.tets.blocks() * model::block;
-  w.joints = concrete::make_joint_slots(m);
+  w.joints = concrete::make_joint_slots(m, s);
   if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
   w.overlay = state::Overlay(tets, m.overlay_tets);
   w.bars = rebar::make_bar_scratch(m, w.overlay);

@@ -20,7 +20,7 @@ std::vector<double> joint_stiffness(Model const& m) {
   std::vector<double> k(4 * static_cast<std::size_t>(m.tets.count), 0);
   for (int i = 0; i < m.joints.count; ++i) {
     auto const& j = m.joints.joints[i];
-    double const share = m.joints.law[i].k * j.area / 3;
+    double const share = m.joints.k(static_cast<std::size_t>(i)) * j.area / 3;
     for (int c = 0; c < 3; ++c) {
       k[j.node_a[c]] += share;
       k[j.node_b[c]] += share;
@@ -60,7 +60,7 @@ std::vector<double> nodal_stiffness(Model const& m) {
   for (std::size_t t = 0; 4 * t < k.size(); ++t) {
     auto const g = shape_gradients(m, t);
     for (std::size_t a = 0; a < 4; ++a)
-      k[4 * t + a] = m.tets.volume[t] * (2 * m.tets.shear_modulus[t] + m.tets.lame[t]) * dot(g[a], g[a]);
+      k[4 * t + a] = m.tets.volume[t] * (2 * m.tets.shear_modulus(t) + m.tets.lame(t)) * dot(g[a], g[a]);
   }
   return k;
 }

@@ -51,7 +51,7 @@ std::array<Vec3, 4> shape_gradients(model::Model const& m, std::size_t tet) {
 }
 
 double elastic_bound(model::Model const& m, std::size_t tet, std::array<double, 4> const& mass) {
-  double const G = m.tets.shear_modulus[tet], lambda = m.tets.lame[tet], volume = m.tets.volume[tet];
+  double const G = m.tets.shear_modulus(tet), lambda = m.tets.lame(tet), volume = m.tets.volume[tet];
   double const root = std::sqrt(2 * G),
                bulk = (std::sqrt(2 * G + 3 * lambda) - root) / 3; // D^1/2 of an isotropic body
   auto const gradient = shape_gradients(m, tet);
@@ -77,7 +77,7 @@ double viscous_bound(model::Model const& m, std::size_t tet, std::array<double, 
   Mat3 sum;
   for (std::size_t n = 0; n < 4; ++n)
     sum = sum + (1 / mass[n]) * Mat3{{g[n].x * g[n], g[n].y * g[n], g[n].z * g[n]}};
-  return m.tets.volume[tet] * m.tets.viscosity[tet] * largest_eigenvalue(sum);
+  return m.tets.volume[tet] * m.tets.viscosity(tet) * largest_eigenvalue(sum);
 }
 
 } // namespace fissura::step

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/damaged_joints.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/core/error.hpp"
 #include "support/concrete_model.hpp"
@@ -14,12 +16,6 @@ namespace fissura::support {
 namespace {
 
 using concrete::KernelSet;
-
-struct Context {
-  model::Model const& m;
-  state::State& s;
-  state::JointSlots& slots;
-};
 
 /// A model that runs with one kernel set, called without the library's own choice of set.
 struct Bench {
@@ -51,17 +47,10 @@ struct Bench {
       w.overlay.force[i] = i % 4 == 3 ? 0 : 10.0 * static_cast<double>(i % 7);
   }
   void step(KernelSet const& set) {
-    Context const context{m, s, w.joints};
-    concrete::JointPass const joints{&m.joints,
-                                     s.u.data(),
-                                     w.joints.force.data(),
-                                     s.joint_status.data(),
-                                     [](void const* c, int joint) {
-                                       auto const& x = *static_cast<Context const*>(c);
-                                       concrete::damaged_joint(x.m, x.s, x.slots, joint);
-                                     },
-                                     &context};
-    set.joint_forces(joints, 0, m.joints.blocks());
+    concrete::JointPass const joints{&m.joints, s.u.data(), w.joints.force.data(), s.joint_status.data()};
+    std::vector<int> marked(m.joints.blocks() * model::block);
+    int const count = set.joint_forces(joints, 0, m.joints.blocks(), marked.data());
+    concrete::damaged_joints(set, m, s, w.joints, marked.data(), count);
     concrete::TetPass const tets{&m.tets, s.u.data(),   s.v.data(),    &w.joints, &w.overlay, nullptr,
                                  m.dt,    mass_damping, local_damping, gravity,   gravity};
     sums = set.tet_forces(tets, 0, m.tets.blocks());

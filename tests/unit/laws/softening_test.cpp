@@ -7,8 +7,8 @@ using fissura::laws::softening;
 
 // The curve starts at full strength with zero slope and ends at nothing.
 TEST(Softening, EndsOfTheCurve) {
-  EXPECT_DOUBLE_EQ(softening(0), 1);
-  EXPECT_DOUBLE_EQ(softening(1), 0);
+  EXPECT_DOUBLE_EQ(softening(0.0), 1);
+  EXPECT_DOUBLE_EQ(softening(1.0), 0);
   EXPECT_DOUBLE_EQ(softening(-0.1), 1);
   EXPECT_DOUBLE_EQ(softening(1.5), 0);
   EXPECT_NEAR((softening(1e-5) - 1) / 1e-5, 0, 2e-4);
@@ -23,7 +23,7 @@ TEST(Softening, FallsEverywhere) {
 // The dissipated energy of a joint rests on this integral, so it must be right to twelve digits.
 TEST(Softening, Integral) {
   int const n = 2000; // Simpson
-  double sum = softening(0) + softening(1);
+  double sum = softening(0.0) + softening(1.0);
   for (int i = 1; i < n; ++i) sum += (i % 2 ? 4 : 2) * softening(double(i) / n);
   EXPECT_NEAR(sum / (3.0 * n), fissura::laws::softening_integral, 1e-12);
 }

@@ -94,6 +94,7 @@ struct BarModel {
  private:
   void add_joint_laws(model::ConcreteSpec const& c) {
     m.joints.count = static_cast<int>(m.adjacency.shared.size());
+    m.joints.stiffness = core::Buffer<double>(2 * m.joints.blocks() * model::block);
     for (auto const& shared : m.adjacency.shared) {
       laws::CohesiveInput in;
       in.p = c.penalty, in.f_t = c.f_t, in.G_f = c.G_f, in.crackable = c.crackable;
@@ -101,7 +102,9 @@ struct BarModel {
                                            geometry::volume(corners(m.mesh, shared.b.tet))));
       in.friction_angle = c.friction_angle;
       in.cohesion = c.f_c * (1 - std::sin(c.friction_angle)) / (2 * std::cos(c.friction_angle));
-      m.joints.law.push_back(laws::make_cohesive_params(in));
+      auto const law = laws::make_cohesive_params(in);
+      m.joints.stiffness[model::at(m.joints.kind.size(), 0, 2)] = law.k;
+      m.joints.add({}, law);
     }
   }
 

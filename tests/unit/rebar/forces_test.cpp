@@ -82,7 +82,7 @@ TEST(BarForces, ForcesTurnWithTheStructure) {
 TEST(BarJoint, IntactJointFollowsTheConcrete) {
   BarModel b(two_tets(0.1), {bar_along({{-0.03, 0, 0}, {0.03, 0, 0}})});
   ASSERT_EQ(b.m.bars.joints.size(), 1u);
-  auto const& law = b.m.joints.law[0];
+  auto const law = b.m.joints.law(0);
   for (double x : {0.1, 0.5, 0.99, -0.5}) {
     b.move([&](int tet, Vec3) { return tet == b.m.bars.joints[0].tet_b ? Vec3{x * law.o_p, 0, 0} : Vec3{}; });
     double const parabola = x < 0 ? 2 * x : 2 * x - x * x;
@@ -94,7 +94,7 @@ TEST(BarJoint, IntactJointFollowsTheConcrete) {
 // A joint starts to slip when the face it crosses opens beyond o_p, with a stress that does not jump.
 TEST(BarJoint, ActivationByOpeningIsContinuous) {
   BarModel b(two_tets(0.1), {bar_along({{-0.03, 0, 0}, {0.03, 0, 0}})});
-  auto const& law = b.m.joints.law[0];
+  auto const law = b.m.joints.law(0);
   auto const opened = [&](double o) {
     b.move([&](int tet, Vec3) { return tet == b.m.bars.joints[0].tet_b ? Vec3{o, 0, 0} : Vec3{}; });
     return b.s.bars.joint_stress[0];
@@ -112,7 +112,7 @@ TEST(BarJoint, ActivationByOpeningIsContinuous) {
 TEST(BarJoint, ActivationBySlidingUnderPressure) {
   for (double pressure : {0.0, 10e6}) {
     BarModel b(two_tets(0.1), {bar_along({{-0.03, 0, 0}, {0.03, 0, 0}})});
-    auto const& law = b.m.joints.law[0];
+    auto const law = b.m.joints.law(0);
     double const s_p = (law.f_s + law.tan_phi * pressure) / law.k;
     auto const slid = [&](double s) {
       b.move([&](int tet, Vec3) {
@@ -136,7 +136,7 @@ TEST(BarJoint, UncrackableConcreteKeepsTheJointLinear) {
     return b.s.bars.joint_stress[0];
   };
   double const one = stress_at(1e-6);
-  EXPECT_NEAR(one, 210.0 / 30.5 * b.m.joints.law[0].k * 1e-6, 1e-6 * one);
+  EXPECT_NEAR(one, 210.0 / 30.5 * b.m.joints.law(0).k * 1e-6, 1e-6 * one);
   EXPECT_NEAR(stress_at(1e-4), 100 * one, 1e-6 * 100 * one);
   EXPECT_FALSE(b.s.bars.is_activated(0));
 }

@@ -37,7 +37,7 @@ TEST(State, starts_at_rest) {
 TEST(Step, counts_time_by_steps) {
   auto const m = tie();
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
+  auto w = step::make_scratch(m, s);
   for (int i = 0; i < 1000; ++i) step::advance(m, s, w);
   EXPECT_EQ(s.step, 1000);
   EXPECT_EQ(s.time, 1000 * m.dt);
@@ -47,7 +47,7 @@ TEST(Step, counts_time_by_steps) {
 TEST(Step, rest_stays_rest) {
   auto const m = tie();
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
+  auto w = step::make_scratch(m, s);
   for (int i = 0; i < 100; ++i) step::advance(m, s, w);
   for (double const x : s.u) ASSERT_EQ(x, 0);
   for (double const x : s.v) ASSERT_EQ(x, 0);
@@ -58,7 +58,7 @@ TEST(Step, allocates_nothing) {
   parallel::Threads const one(1);
   auto const m = tie();
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
+  auto w = step::make_scratch(m, s);
   pull(m, s, 5);
   for (int i = 0; i < 5; ++i) step::advance(m, s, w);
   long const before = allocations();
@@ -76,7 +76,7 @@ TEST(Step, allocates_nothing_on_a_plane) {
   floor.axis = {0, 0, 1}, floor.friction = 0.6;
   m.rigid = {floor};
   auto s = step::make_state(m);
-  auto w = step::make_scratch(m);
+  auto w = step::make_scratch(m, s);
   set_field(m, s.v, [](Vec3) { return Vec3{0.02, 0, -0.05}; });
   for (int i = 0; i < 5; ++i) step::advance(m, s, w);
   long const before = allocations();
@@ -92,7 +92,7 @@ TEST(Step, allocates_nothing_on_a_plane) {
 TEST(Step, reading_the_ledger_changes_nothing) {
   auto const m = tie();
   auto a = step::make_state(m), b = step::make_state(m);
-  auto wa = step::make_scratch(m), wb = step::make_scratch(m);
+  auto wa = step::make_scratch(m, a), wb = step::make_scratch(m, b);
   pull(m, a, 5), pull(m, b, 5);
   step::EnergyBalance e;
   for (int i = 0; i < 200; ++i) {

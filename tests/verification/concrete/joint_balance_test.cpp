@@ -85,7 +85,7 @@ TEST(JointBalance, an_evenly_opened_joint_carries_stress_times_area) {
     bool const at_middle = std::abs(position(m, joint.node_a[0]).x - 0.1) < 1e-9 &&
                            std::abs(position(m, joint.node_a[1]).x - 0.1) < 1e-9 &&
                            std::abs(position(m, joint.node_a[2]).x - 0.1) < 1e-9;
-    double const o_p = m.joints.law[j].o_p, r = opening / o_p;
+    double const o_p = m.joints.law(j).o_p, r = opening / o_p;
     double const force = at_middle ? concrete.f_t * (2 * r - r * r) * joint.area / 3 : 0; // Eq. 13
     opened += at_middle;
     for (int k = 0; k < 3; ++k)

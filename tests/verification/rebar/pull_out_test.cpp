@@ -122,7 +122,7 @@ TEST(PullOut, CutByShearReleasesItsEnergy) {
 TEST(PullOut, ActivationDoesNotJump) {
   for (auto between : {slip_only, elastic}) {
     auto b = two_tet_bar(between);
-    double const o_p = b.m.joints.law[0].o_p;
+    double const o_p = b.m.joints.law(0).o_p;
     auto const balance = walk(b, {{{2 * o_p, 0, 0}, 2e-5}}, 4000);
     ASSERT_TRUE(b.s.bars.is_activated(0));
     EXPECT_GT(b.s.bars.history[0].stored_0, 0);

@@ -24,7 +24,7 @@ struct Pair {
   bool is_first = true;
 
   explicit Pair(model::ShearStrength shear)
-      : m(make(shear)), s(step::make_state(m)), w(step::make_scratch(m)) {
+      : m(make(shear)), s(step::make_state(m)), w(step::make_scratch(m, s)) {
     move({}, {});
   }
 
@@ -171,7 +171,7 @@ TEST(HandOver, contact_closes_a_wide_crack_with_the_stiffness_of_the_joint) {
   EXPECT_EQ(p.status(), state::JointStatus::released);
   p.go({0, 0, 0}, {}, 2000, [] { return false; });
   EXPECT_EQ(norm(p.force), 0);
-  double const depth = 1e-4, stiffness = p.m.joints.law[0].k;
+  double const depth = 1e-4, stiffness = p.m.joints.law(0).k;
   p.go({0, 0, -depth}, {}, 100, [] { return false; });
   EXPECT_NEAR(p.force.z, stiffness * p.area() * depth, 0.15 * stiffness * p.area() * depth);
 }

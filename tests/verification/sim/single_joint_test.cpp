@@ -49,7 +49,7 @@ double work_to_failure(model::Case const& c) {
   Stepper const x(c);
   double work = 0;
   for (int j = 0; j < x.m.joint_count(); ++j) {
-    auto const& law = x.m.joints.law[j];
+    auto const law = x.m.joints.law(j);
     if (law.crackable) work += x.m.joints.joints[j].area * (c.concretes[1].G_f + 2.0 / 3 * law.f_t * law.o_p);
   }
   return work;

@@ -23,7 +23,7 @@ struct Body {
       : m(reinforced_model(std::move(mesh), concrete, bars)) {
     m.dt = 0.9 * step::stable_step(m).dt;
     s = step::make_state(m);
-    w = step::make_scratch(m);
+    w = step::make_scratch(m, s);
   }
   void advance() { step::advance(m, s, w); }
   step::EnergyBalance const& read() {

@@ -71,7 +71,7 @@ TEST(StableStep, nine_tenths_of_the_estimate_is_stable) {
     auto m = random_model(i);
     m.dt = 0.9 * step::stable_step(m).dt;
     auto s = step::make_state(m);
-    auto w = step::make_scratch(m);
+    auto w = step::make_scratch(m, s);
     activate_bars(m, s);
     Random random(static_cast<std::uint64_t>(i));
     std::vector<Vec3> velocity(
@@ -96,7 +96,7 @@ TEST(StableStep, a_step_beyond_the_true_limit_blows_up) {
     auto m = random_model(number);
     m.dt = 1.05 * Tangent(m, true).stable_step();
     auto s = step::make_state(m);
-    auto w = step::make_scratch(m);
+    auto w = step::make_scratch(m, s);
     activate_bars(m, s);
     Random random(5);
     std::vector<Vec3> velocity(m.mesh.points.size());

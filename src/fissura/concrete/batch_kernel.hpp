@@ -1,0 +1,184 @@
+#pragma once
+// The full law of damaged joints, pack by pack. Included only by the files that are compiled per instruction
+// set.
+#include <cstddef>
+
+#include "fissura/concrete/joint_batch.hpp"
+#include "fissura/concrete/joint_frame.hpp"
+#include "fissura/concrete/kernels.hpp"
+
+namespace fissura::concrete {
+inline namespace FISSURA_ISA {
+
+/// The rows of JointHistory, in packs.
+template <class V> struct HistoryRows {
+  static constexpr int before = 15, lost = 24, handed_over = 27, farthest = 28;
+  V row[state::JointHistory::doubles];
+
+  HistoryRows(double const* base, int const* start) {
+    each_four(
+        [&](int first, int const* index) {
+          V four[4];
+          core::load_fours(base, index, four);
+          for (int i = 0; i < 4; ++i) row[first + i] = four[i];
+        },
+        start);
+  }
+  void store(double* base, int const* start) const {
+    each_four(
+        [&](int first, int const* index) {
+          core::store_fours(base, index, {row[first], row[first + 1], row[first + 2], row[first + 3]});
+        },
+        start);
+  }
+  laws::HistoryPack<V> point(int q) const {
+    V const* const r = row + 5 * q;
+    return {r[0], r[1], r[2], r[3], r[4]};
+  }
+  void set_point(int q, laws::HistoryPack<V> const& h) {
+    V* const r = row + 5 * q;
+    r[0] = h.kappa, r[1] = h.z, r[2] = h.f_s, r[3] = h.slip_1, r[4] = h.slip_2;
+  }
+  laws::SeparationPack<V> separation(int q) const {
+    V const* const r = row + before + 3 * q;
+    return {r[0], r[1], r[2]};
+  }
+  void set_separation(int q, laws::SeparationPack<V> const& s) {
+    V* const r = row + before + 3 * q;
+    r[0] = s.opening, r[1] = s.sliding_1, r[2] = s.sliding_2;
+  }
+
+ private:
+  template <class Visit> static void each_four(Visit const& visit, int const* start) {
+    for (int first = 0; first < state::JointHistory::doubles; first += 4) {
+      int index[core::lanes<V>];
+      for (int i = 0; i < core::lanes<V>; ++i) index[i] = start[i] + first;
+      visit(first, index);
+    }
+  }
+};
+static_assert(offsetof(state::JointHistory, last) == 15 * sizeof(double));
+static_assert(offsetof(state::JointHistory, dissipated) == 24 * sizeof(double));
+static_assert(offsetof(state::JointHistory, handed_over) == 27 * sizeof(double));
+static_assert(offsetof(state::JointHistory, farthest) == 28 * sizeof(double));
+
+/// One pack out of a batch.
+template <class V> struct BatchPack {
+  DamagedPass const& pass;
+  JointBatch& batch;
+  int lane0;
+
+  V row(JointBatch::Row const& r) const { return core::load<V>(r.data() + lane0); }
+  void put(JointBatch::Row& r, V v) const { core::store<V>(r.data() + lane0, v); }
+
+  JointFrame<V> frame() const {
+    Vec<V> a[3], b[3];
+    for (int k = 0; k < 3; ++k) {
+      a[k] = core::load_nodes<V>(pass.u, batch.node[k].data() + lane0);
+      b[k] = core::load_nodes<V>(pass.u, batch.node[k + 3].data() + lane0);
+    }
+    auto edge = [&](int i) { return core::load<V>(batch.edge[i].data() + lane0); };
+    auto f = joint_frame<V>(a, b, {edge(0), edge(1), edge(2)}, {edge(3), edge(4), edge(5)});
+    add_axes(f);
+    return f;
+  }
+
+  laws::LawPack<V> law() const {
+    V four[3][4];
+    for (int i = 0; i < 3; ++i) core::load_fours(pass.laws + 4 * i, batch.law.data() + lane0, four[i]);
+    V const one(1.0), k = row(batch.k), per_k = one / k, strength = row(batch.strength);
+    V const f_t = strength * four[0][0], straight = four[1][3], o_r = four[0][1] / strength;
+    return {k,
+            per_k,
+            f_t,
+            (one + one - straight) * f_t * per_k,
+            o_r,
+            one / o_r,
+            strength * four[0][2],
+            four[0][3],
+            four[1][0],
+            four[1][1],
+            one / four[1][1],
+            four[1][2],
+            straight,
+            four[2][0],
+            four[2][1]};
+  }
+
+  /// Tractions, their forces on both sides, and what the step has dissipated.
+  void act() const {
+    V const zero(0.0), one(1.0), weight = row(batch.weight), broken = row(batch.broken);
+    auto const f = frame();
+    auto const p = law();
+    HistoryRows<V> history(pass.history, batch.history.data() + lane0);
+    V const kept = one - history.row[history.handed_over];
+    Vec<V> traction[3];
+    laws::DissipationPack<V> lost{zero, zero, zero};
+    V most = zero, least = one, farthest = zero;
+    for (int q = 0; q < 3; ++q) {
+      auto h = history.point(q);
+      auto const now = separation_at(f, q);
+      auto const t = laws::cohesive_law(p, h, now, history.separation(q), broken, lost);
+      history.set_point(q, h);
+      history.set_separation(q, now);
+      traction[q] = (kept * t.sigma) * f.normal + (kept * t.tau_1) * f.axis_1 + (kept * t.tau_2) * f.axis_2;
+      most = core::larger(most, h.kappa), least = core::smaller(least, h.kappa);
+      farthest = core::larger(farthest, core::dot(f.jump[q], f.jump[q]));
+    }
+    V const third = V(2.0) * weight; // of the area
+    V* const sums = history.row + history.lost;
+    sums[0] = sums[0] + third * lost.mode_I;
+    sums[1] = sums[1] + third * lost.mode_II;
+    sums[2] = sums[2] + third * kept * lost.friction;
+    history.row[history.farthest] = farthest;
+    history.store(pass.history, batch.history.data() + lane0);
+    auto const is_damaged = most > zero || broken > zero;
+    put(batch.damaged, core::choose(is_damaged, one, zero));
+    put(batch.failed, core::choose(least >= one, one, zero));
+
+    // Half of each point's share (area/3) to each node of its edge.
+    Vec<V> force[3];
+    for (int k = 0; k < 3; ++k) force[k] = weight * (traction[k] + traction[(k + 2) % 3]);
+    balance(f, force, core::choose(is_damaged, one, zero));
+  }
+
+  /// Adds forces that act alike on both sides of a joint and balance the moment of its tractions. These act
+  /// on faces that have moved apart by `jump`, so with opposite forces alone a turning pair would gain or
+  /// lose energy. They turn the mid-triangle as a rigid body would: theta x r, r from its centroid.
+  void balance(JointFrame<V> const& f, Vec<V> const (&force)[3], V share) const {
+    V const zero(0.0);
+    Vec<V> const centre = V(1.0 / 3) * (f.edge_1 + f.edge_2);
+    Vec<V> const r[3] = {V(-1.0) * centre, f.edge_1 - centre, f.edge_2 - centre};
+    Vec<V> moment{zero, zero, zero};
+    V xx = zero, yy = zero, zz = zero, xy = zero, yz = zero, zx = zero;
+    for (int k = 0; k < 3; ++k) {
+      moment = moment + core::cross(f.jump[k], force[k]);
+      xx = xx + (r[k].y * r[k].y + r[k].z * r[k].z);
+      yy = yy + (r[k].z * r[k].z + r[k].x * r[k].x);
+      zz = zz + (r[k].x * r[k].x + r[k].y * r[k].y);
+      xy = xy - r[k].x * r[k].y, yz = yz - r[k].y * r[k].z, zx = zx - r[k].z * r[k].x;
+    }
+    Vec<V> const row_x{xx, xy, zx}, row_y{xy, yy, yz}, row_z{zx, yz, zz}; // inertia, symmetric
+    Vec<V> const cofactor = core::cross(row_y, row_z);
+    V const half_inverse = V(0.5) * share / core::dot(row_x, cofactor);
+    Vec<V> const theta{half_inverse * core::dot(cofactor, moment),
+                       half_inverse * core::dot(core::cross(row_z, row_x), moment),
+                       half_inverse * core::dot(core::cross(row_x, row_y), moment)};
+    for (int k = 0; k < 3; ++k) {
+      Vec<V> const both = core::cross(theta, r[k]);
+      put_force(batch.force_a, k, both + force[k]);
+      put_force(batch.force_b, k, both - force[k]);
+    }
+  }
+
+  void put_force(JointBatch::Starts const& start, int corner, Vec<V> f) const {
+    core::store_fours(pass.force + 4 * corner, start.data() + lane0, {f.x, f.y, f.z, V(0.0)});
+  }
+};
+
+template <class V> void act_batch(DamagedPass const& pass, JointBatch& batch) {
+  for (int lane = 0; lane < batch.count; lane += core::lanes<V>) BatchPack<V>{pass, batch, lane}.act();
+}
+
+} // namespace FISSURA_ISA
+} // namespace fissura::concrete

@@ -1,0 +1,14 @@
+#pragma once
+#include "fissura/model/model.hpp"
+#include "fissura/state/state.hpp"
+
+namespace fissura::concrete {
+
+struct KernelSet;
+
+/// The full law of `count` joints that are or may become damaged: evaluates their points, updates their
+/// histories and overwrites their forces. Joints of different lists may be evaluated at the same time.
+void damaged_joints(KernelSet const& kernels, model::Model const& m, state::State& s,
+                    state::JointSlots& slots, int const* joints, int count);
+
+} // namespace fissura::concrete

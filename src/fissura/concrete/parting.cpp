@@ -1,0 +1,86 @@
+#include "fissura/concrete/parting.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace fissura::concrete {
+
+using model::Model;
+using state::JointStatus;
+using state::State;
+
+namespace {
+
+constexpr double cos_30 = 0.8660254037844386;
+
+double slid(laws::Separation const& p) {
+  return std::hypot(p.sliding_1, p.sliding_2);
+}
+
+/// Edge of a right-angled isosceles triangle of the joint's area: the length its sliding is measured by.
+double face_size(model::Joint const& joint) {
+  return std::sqrt(2 * joint.area);
+}
+
+/// Cosine of the angle between the faces of the two sides; 1 where no node pair is far enough apart for 30
+/// degrees to be possible.
+double faces_turned(model::Joint const& joint, JointKinematics const& k) {
+  double farthest = 0;
+  for (Vec3 const d : k.jump) farthest = std::max(farthest, dot(d, d));
+  if (farthest < least_parting(joint.area)) return 1;
+  auto normal = [&](double side) {
+    Vec3 const a = k.mid[0] + side * k.jump[0];
+    return unit(cross(k.mid[1] + side * k.jump[1] - a, k.mid[2] + side * k.jump[2] - a));
+  };
+  return dot(normal(-0.5), normal(0.5));
+}
+
+/// Share of its load that a crack-face pair has handed over to contact: none until its faces overlap by no
+/// more than half or have turned by 30 degrees, all once they have slid past each other or turned by 60
+/// degrees. At once where they stand wide open, or no point presses.
+double handed_over(model::Joint const& joint, JointKinematics const& k) {
+  double most = 0;
+  bool presses = false, is_wide_open = true;
+  for (auto const& p : k.at) {
+    most = std::max(most, slid(p) / face_size(joint));
+    presses |= p.opening < 0;
+    is_wide_open &= p.opening > 0.25 * face_size(joint);
+  }
+  double const turned = (cos_30 - faces_turned(joint, k)) / (cos_30 - 0.5);
+  double const share = std::clamp(std::max(2 * most - 1, turned), 0.0, 1.0);
+  return is_wide_open || (share > 0 && !presses) ? 1 : share;
+}
+
+} // namespace
+
+void break_at_hinge(Model const& m, int joint, JointKinematics const& now, state::JointHistory& history) {
+  auto const& j = m.joints.joints[joint];
+  if (!(faces_turned(j, now) < 0.5)) return;
+  for (int q = 0; q < 3; ++q) {
+    auto& point = history.point[q];
+    if (point.kappa >= 1) continue;
+    history.dissipated.mode_I +=
+        j.area / 3 * laws::cohesive_stored(m.joints.law(joint), point, history.last[q], false);
+    point.kappa = 1, point.z = 0;
+  }
+}
+
+void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) {
+  auto const& j = m.joints.joints[joint];
+  auto& history = s.joint_history[joint];
+  double const share = std::max(history.handed_over, handed_over(j, now));
+  if (share <= history.handed_over) return;
+  if (share < 1 && !m.source.contact.on) return; // nobody there to take it
+  for (int q = 0; q < 3; ++q)
+    history.dissipated.friction +=
+        (share - history.handed_over) * j.area / 3 *
+        laws::cohesive_stored(m.joints.law(joint), history.point[q], history.last[q], true);
+  history.handed_over = share;
+  bool const was_whole = s.joint_status[joint] == static_cast<std::uint8_t>(JointStatus::broken);
+  s.joint_status[joint] = static_cast<std::uint8_t>(share < 1 ? JointStatus::parting : JointStatus::released);
+  if (!was_whole) return; // contact sees it already
+  std::atomic_ref(s.contact.is_due).store(1, std::memory_order_relaxed);
+}
+
+} // namespace fissura::concrete
