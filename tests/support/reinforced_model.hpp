@@ -40,9 +40,7 @@ inline model::Model reinforced_model(mesh::Mesh mesh, model::ConcreteSpec const&
 
 /// Every bar joint that can, has begun to slip: the stiffest the bars ever are.
 inline void activate_bars(model::Model const& m, state::State& s) {
-  for (std::size_t i = 0; i < m.bars.joints.size(); ++i)
-    if (m.bars.joint_law[i].crackable)
-      laws::activate(m.bars.joint_law[i].activated, s.bars.history[i], 0, {}, 0, 0);
+  rebar::activate_all(m, s.bars);
 }
 
 } // namespace fissura::support

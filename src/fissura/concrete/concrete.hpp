@@ -12,6 +12,11 @@ void separate_sides(model::Model const& m, state::JointSlots& slots, int joint);
 /// A released joint acts on nobody.
 void remove_from_slots(model::Model const& m, state::JointSlots& slots, int joint);
 
+/// Internal forces on the nodes [N] at u and v, with the joint forces and the overlay that `w` holds; nothing
+/// moves. `force` is laid out as State::u.
+void corner_forces(model::Model const& m, state::State& s, state::Scratch const& w,
+                   core::Buffer<double>& force);
+
 /// Gives all three points of a joint the damage kappa, as if it had been pulled open and let go; 1 breaks it.
 void set_damage(model::Model const& m, state::State& s, int joint, double kappa);
 

@@ -73,6 +73,13 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
                        });
 }
 
+void corner_forces(Model const& m, State& s, Scratch const& w, core::Buffer<double>& force) {
+  TetPass const pass{&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(), 0, 0, 0, {}, {}};
+  auto const run = kernels().tet_forces;
+  parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
+                       [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
+}
+
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {
   auto const& stage = m.stages[s.stage];
   TetPass const pass{&m.tets,   s.u.data(),         s.v.data(),

@@ -4,6 +4,12 @@
 
 namespace fissura::rebar {
 
+void activate_all(model::Model const& m, state::BarState& s) {
+  for (std::size_t i = 0; i < m.bars.joints.size(); ++i)
+    if (m.bars.joint_law[i].crackable)
+      laws::activate(m.bars.joint_law[i].activated, s.history[i], 0, {}, 0, 0);
+}
+
 state::BarState make_bar_state(model::Bars const& bars) {
   state::BarState s;
   std::size_t const elements = bars.elements.size(), joints = bars.joints.size();

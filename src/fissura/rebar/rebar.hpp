@@ -20,6 +20,9 @@ void set_bar_joint_laws(model::Model& m);
 /// All bars at rest.
 state::BarState make_bar_state(model::Bars const& bars);
 
+/// Lets all bar joints that can crack slip from now on, as if a crack crossed each.
+void activate_all(model::Model const& m, state::BarState& s);
+
 /// Work arrays; every host tet of a bar must own a slot of the overlay.
 state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& overlay);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "fissura/concrete/concrete.hpp"
@@ -26,7 +27,9 @@ std::string bench(BenchOptions const& options) {
   auto const& scene = bench_scene(options.scene);
   parallel::Threads const threads(options.threads);
   BuildReport report;
-  auto const m = build_model(scene.make_case(options.tets), report);
+  auto const the_case = scene.make_case(options.tets);
+  auto const m = build_model(the_case, report);
+  if (!the_case.mesh.file.empty()) std::filesystem::remove(the_case.mesh.file);
   auto s = step::make_state(m);
   scene.prepare(m, s);
   auto w = step::make_scratch(m, s);

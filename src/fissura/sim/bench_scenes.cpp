@@ -1,7 +1,12 @@
 #include "fissura/sim/bench_scenes.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/core/error.hpp"
@@ -39,6 +44,19 @@ Case block(std::array<int, 3> cells) {
 Case cube(long tets) {
   int const n = scaled(std::cbrt(static_cast<double>(tets) / 6));
   return block({n, n, n});
+}
+
+/// A cube meshed by gmsh: tets of all shapes, joints in no order.
+Case unstructured_cube(long tets) {
+  auto c = block({1, 1, 1});
+  c.mesh.boxes.clear();
+  // What gmsh makes of an element size on a cube, about.
+  c.mesh.element_size = std::cbrt(5.8 / static_cast<double>(tets));
+  auto const file = std::filesystem::temp_directory_path() / fmt::format("fissura_bench_{}.geo", ::getpid());
+  std::ofstream(file) << "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
+                      << "Physical Volume(\"concrete\") = {1};\n";
+  c.mesh.file = file.string();
+  return c;
 }
 
 model::BarSpec bar(std::string name, std::vector<Vec3> points, int count, Vec3 spacing) {
@@ -115,6 +133,7 @@ void break_to_pieces(Model const& m, State& s) {
 std::vector<BenchScene> const& scenes() {
   static std::vector<BenchScene> const all{
       {"uncracked", "uncracked cube", cube, shake},
+      {"unstructured", "uncracked cube meshed by gmsh", unstructured_cube, shake},
       {"beam", "uncracked beam with bars and contact", beam, shake},
       {"half_damaged", "cube, half of its joints damaged", cube, damage_half},
       {"fragmented", "cube in pieces, some 10 % of its joints broken, with contact", cube, break_to_pieces},

@@ -80,11 +80,22 @@ double damping_share(Model const& m) {
   return std::sqrt(1 + alpha);
 }
 
+/// Adds mass until the stable step is `dt` [s] to half a percent. Masses follow from bounds, tet by tet, so
+/// the bound to ask for is found step by step, from below.
+step::StableStep lift_step(Model& m, double dt) {
+  auto stable = step::stable_step(m);
+  for (int i = 0; i < 10 && stable.dt < 0.995 * dt; ++i) {
+    model::scale_masses(m, step::mass_factors(m, stable.bound * dt / stable.dt));
+    stable = step::stable_step(m);
+  }
+  return stable;
+}
+
 void choose_step(Model& m) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
-  if (run.least_dt > 0) model::scale_masses(m, step::mass_factors(m, share * run.least_dt / run.dt_factor));
-  auto const stable = step::stable_step(m);
+  auto const stable =
+      run.least_dt > 0 ? lift_step(m, share * run.least_dt / run.dt_factor) : step::stable_step(m);
   double const limit = stable.dt / share;
   m.dt = run.dt > 0 ? run.dt : run.dt_factor * limit;
   m.dt_limiter = run.dt > 0

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/step/highest_frequency.hpp"
 #include "fissura/step/tet_bound.hpp"
 
 namespace fissura::step {
@@ -39,14 +40,17 @@ void sum_over_clusters(Model const& m, std::vector<double>& stiffness) {
   }
 }
 
+/// Largest step at the frequency omega with the viscous eigenvalue c; viscous forces lag half a step.
+double largest_step(double omega, double c) {
+  double const xi = c / (2 * omega);
+  return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
+}
+
 /// Frequency bound and damping ratio of one tet with its joints and bars.
 struct TetBound {
   double own = 0, joints = 0, bars = 0; ///< omega^2 [1/s2]
   double viscous = 0;                   ///< c, the largest eigenvalue of the viscous matrix over mass [1/s]
-  double dt() const {
-    double const omega = std::sqrt(own + joints + bars), xi = viscous / (2 * omega);
-    return 2 / omega * (std::sqrt(1 + xi * xi) - xi); // viscous forces lag half a step
-  }
+  double dt() const { return largest_step(std::sqrt(own + joints + bars), viscous); }
 };
 
 /// How the mass of bonded nodes is shared out among their tets. Any sharing gives a safe bound (Rayleigh):
@@ -129,13 +133,22 @@ StableStep slowest(Model const& m, MassSharing sharing) {
   return best;
 }
 
-} // namespace
-
-StableStep stable_step(Model const& m) {
+StableStep bound(Model const& m) {
   auto const own = slowest(m, MassSharing::own);
   if (!m.bonding.any) return own;
   auto const shared = slowest(m, MassSharing::by_stiffness); // both are safe: take the better
   return shared.dt > own.dt ? shared : own;
+}
+
+} // namespace
+
+StableStep stable_step(Model const& m) {
+  auto step = bound(m);
+  step.bound = step.dt;
+  auto const highest = highest_frequency(m);
+  double const omega = std::sqrt(highest.omega_2), dt = largest_step(omega, highest.viscous);
+  if (dt > step.dt) step.dt = dt, step.omega = omega;
+  return step;
 }
 
 std::vector<double> mass_factors(Model const& m, double dt) {

@@ -10,18 +10,20 @@ namespace fissura::step {
 struct StableStep {
   double dt = 0;       ///< 2/omega with viscosity [s], without the safety factor
   std::string limiter; ///< what governs: which tet, and whether its own, joint or bar-joint stiffness leads
+  double bound = 0;    ///< the bound alone [s]
   int tet = -1;        ///< the tet that governs
-  double omega = 0;    ///< bound of the highest frequency [rad/s]
+  double omega = 0;    ///< the highest frequency, or its bound [rad/s]
 };
 
-/// Bound over tets, joints, bar joints and viscosity (MODEL section 1): the joints' and bars' stiffness is
-/// replaced by its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one block per
-/// tet; the frequency of a block is at most that of the tet alone plus its largest diagonal entry. Rigorous
-/// for small displacements.
+/// The limit of the model's own forces at rest (step/highest_frequency.hpp), or where that is lower (it never
+/// should be) the bound over tets, joints, bar joints and viscosity (MODEL section 1): the joints' and bars'
+/// stiffness is replaced by its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one
+/// block per tet; the frequency of a block is at most that of the tet alone plus its largest diagonal entry.
+/// Rigorous for small displacements.
 StableStep stable_step(model::Model const& m);
 
-/// Selective mass scaling: per tet, the factor on its mass that lifts its stable step to `dt` [s]; 1 where it
-/// is there already. (With viscosity the factor is a bound.)
+/// Selective mass scaling: per tet, the factor on its mass that lifts the bound of its step to `dt` [s]; 1
+/// where it is there already. (With viscosity the factor is a bound.)
 std::vector<double> mass_factors(model::Model const& m, double dt);
 
 } // namespace fissura::step

@@ -399,7 +399,7 @@ TEST(Stages, an_end_time_in_the_deck_holds) {
 model::Case pulled_to_and_fro() {
   auto c = box_case({4, 1, 1}, {0.4, 0.1, 0.1}, 1);
   c.concretes[0].joints = false;
-  c.run.energy_every = 10;
+  c.run.energy_every = 5; // gauges are read as often
   c.supports = {support_at("guide", plane(1, 0), {false, true, false})};
   auto right = motion_at("right", plane(0, 0.4), 0, {}, true),
        left = motion_at("left", plane(0, 0), 0, {}, true);

@@ -36,23 +36,20 @@ model::Model random_model(int number) {
                           settings);
 }
 
-// Requirement: on 100 random meshes (undamaged, bars activated, some with viscosity) the estimate is safe and
-// not below half of the true limit.
-TEST(StableStep, lies_between_half_and_all_of_the_true_limit) {
+// Requirement: on 1,000 random meshes (undamaged, bars whole and activated, some with viscosity) the estimate
+// lies between 0.7 and all of the true limit. (Both know it to some tenths of a percent.)
+TEST(StableStep, lies_between_seven_tenths_and_all_of_the_true_limit) {
   double least = 1e300, most = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     auto const m = random_model(i);
     double const estimate = step::stable_step(m).dt;
-    for (bool const activated : {false, true}) {
-      if (activated && m.bars.joints.empty()) continue;
-      double const ratio = estimate / Tangent(m, activated).stable_step();
-      EXPECT_LE(ratio, 1.0) << "mesh " << i << (activated ? ", bars activated" : "");
-      if (activated || m.bars.joints.empty()) {
-        EXPECT_GE(ratio, 0.5) << "mesh " << i;
-        least = std::min(least, ratio);
-      }
-      most = std::max(most, ratio);
-    }
+    double limit = Tangent(m, false).stable_step();
+    if (!m.bars.joints.empty()) limit = std::min(limit, Tangent(m, true).stable_step());
+    double const ratio = estimate / limit;
+    EXPECT_LE(ratio, 1.002) << "mesh " << i;
+    EXPECT_GE(ratio, 0.7) << "mesh " << i;
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
   }
   std::printf("estimate over true limit: %.3f to %.3f\n", least, most);
   RecordProperty("least_ratio", std::to_string(least));

@@ -1,0 +1,131 @@
+#include "fissura/step/highest_frequency.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/parallel/parallel.hpp"
+#include "fissura/rebar/rebar.hpp"
+#include "fissura/step/advance.hpp"
+#include "fissura/step/lanczos.hpp"
+
+namespace fissura::step {
+
+using model::Model;
+using state::State;
+
+namespace {
+
+constexpr double tolerance = 0.002;
+/// On large meshes the residual, which counts as part of the frequency, falls slowly and a product is dear.
+constexpr int most_products = 100, most_products_on_large = 40, large = 50'000;
+/// Displacements [m] and velocities [m/s] of the trial motions: far below what any joint can break at, and
+/// since they start from rest rounding does no harm.
+constexpr double trial = 1e-10, trial_velocity = 1e-4;
+
+/// The forces of a model as an operator on its degrees of freedom.
+class Tangent {
+ public:
+  Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
+    if (bars_activated) rebar::activate_all(m, s_.bars);
+    std::fill(s_.v.begin(), s_.v.end(), 0.0);
+    force_ = core::Buffer<double>(s_.u.size());
+    at_rest_.resize(s_.u.size());
+    forces();
+    std::copy(force_.begin(), force_.end(), at_rest_.begin()); // prestress, motions at t = 0
+    weigh_unknowns();
+  }
+
+  double largest(bool of_viscosity) {
+    std::vector<double> start(s_.u.size());
+    unsigned x = 1;
+    for (double& value : start) value = (x = x * 1664525u + 1013904223u) / 4294967296.0 - 0.5;
+    constrain(start);
+    return largest_eigenvalue(
+        [&](auto in, auto out) {
+          of_viscosity ? apply(in, out, s_.v, trial_velocity) : apply(in, out, s_.u, trial);
+        },
+        start, tolerance, m_.tets.count > large ? most_products_on_large : most_products);
+  }
+
+ private:
+  /// Motion per unknown: the root of copies over the cluster's mass makes the norm of the unknowns the
+  /// energy.
+  void weigh_unknowns() {
+    per_unknown_.resize(s_.u.size() / 4);
+    for (std::size_t n = 0; n < per_unknown_.size(); ++n)
+      per_unknown_[n] = std::sqrt(m_.tets.inverse_mass[model::at(n / 4, static_cast<int>(n % 4), 4)]);
+    auto const& b = m_.bonding;
+    for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
+      for (int i = b.start[c]; i < b.start[c + 1]; ++i)
+        per_unknown_[static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)])] *=
+            std::sqrt(b.start[c + 1] - b.start[c]);
+  }
+
+  /// One value for bonded copies, nothing in the padding.
+  void constrain(std::span<double> x) const {
+    for (std::size_t n = 0; 4 * n < x.size(); ++n) x[4 * n + 3] = 0;
+    auto const& b = m_.bonding;
+    for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
+      for (int r = 0; r < 3; ++r) {
+        auto at = [&](int i) -> double& {
+          return x[4 * static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)]) +
+                   static_cast<std::size_t>(r)];
+        };
+        double mean = 0;
+        for (int i = b.start[c]; i < b.start[c + 1]; ++i) mean += at(i) / (b.start[c + 1] - b.start[c]);
+        for (int i = b.start[c]; i < b.start[c + 1]; ++i) at(i) = mean;
+      }
+  }
+
+  /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size.
+  void apply(std::span<double const> in, std::span<double> out, core::Buffer<double>& field, double length) {
+    auto each_node = [&](auto const& body) {
+      parallel::for_chunks(per_unknown_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
+          for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) body(i, per_unknown_[n]);
+      });
+    };
+    double largest = 0;
+    for (std::size_t i = 0; i < in.size(); ++i)
+      largest = std::max(largest, per_unknown_[i / 4] * std::abs(in[i]));
+    double const size = length / largest, inverse = 1 / size;
+    each_node([&](std::size_t i, double factor) { field[i] = size * factor * in[i]; });
+    forces();
+    each_node([&](std::size_t i, double factor) { out[i] = -factor * inverse * (force_[i] - at_rest_[i]); });
+    std::fill(field.begin(), field.end(), 0.0);
+    constrain(out);
+  }
+
+  void forces() {
+    concrete::joint_forces(m_, s_, w_);
+    rebar::bar_joint_forces(m_, s_, w_);
+    rebar::bar_forces(m_, s_, w_);
+    w_.overlay.clear();
+    rebar::gather_bar_forces(m_, w_);
+    concrete::corner_forces(m_, s_, w_, force_);
+  }
+
+  Model const& m_;
+  State s_;
+  state::Scratch w_;
+  core::Buffer<double> force_;
+  std::vector<double> at_rest_;
+  std::vector<double> per_unknown_; ///< per node
+};
+
+} // namespace
+
+HighestFrequency highest_frequency(Model const& m) {
+  HighestFrequency highest;
+  for (bool const activated : {false, true}) {
+    if (activated && m.bars.joints.empty()) continue;
+    Tangent tangent(m, activated);
+    highest.omega_2 = std::max(highest.omega_2, tangent.largest(false));
+    if (!activated && m.tets.any_viscosity) highest.viscous = tangent.largest(true);
+  }
+  return highest;
+}
+
+} // namespace fissura::step
