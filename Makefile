@@ -11,7 +11,7 @@ ifneq ($(shell command -v ccache),)
 export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
 endif
 
-PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtbb-dev libtomlplusplus-dev libudunits2-dev libcli11-dev \
+PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudunits2-dev libcli11-dev \
   libfmt-dev libspdlog-dev libgmsh-dev libpugixml-dev zlib1g-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev \
   python3-numpy python3-matplotlib
 TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev

@@ -3,23 +3,30 @@
 // threads, and sums are taken chunk by chunk in ascending order: the same bits on any number of threads.
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
+#include "fissura/parallel/team.hpp"
 
 namespace fissura::parallel {
 
-/// Number of threads the process may use until the object goes away; 0 = all the machine offers.
+/// The threads that the process works with until the object goes away; 0 = all the machine offers. Without
+/// one, everything is done by the caller.
 class Threads {
  public:
   explicit Threads(int count);
-  int count() const { return count_; }
+  ~Threads();
+  Threads(Threads const&) = delete;
+  Threads& operator=(Threads const&) = delete;
+  int count() const { return team_->size(); }
 
  private:
-  int count_;
-  tbb::global_control control_;
+  std::unique_ptr<Team> team_;
+  Team* before_; ///< what was at work before, and is again afterwards
 };
+
+/// The team at work, or nullptr.
+Team* team();
 
 inline std::size_t chunks(std::size_t n, std::size_t grain) {
   return (n + grain - 1) / grain;
@@ -27,13 +34,18 @@ inline std::size_t chunks(std::size_t n, std::size_t grain) {
 
 /// Calls body(chunk, begin, end) for all chunks of `grain` items out of n.
 template <class Body> void for_chunks(std::size_t n, std::size_t grain, Body const& body) {
+  struct Job {
+    Body const& body;
+    std::size_t n, grain;
+    void operator()(std::size_t c) const { body(c, c * grain, (c + 1) * grain < n ? (c + 1) * grain : n); }
+  } const job{body, n, grain};
   std::size_t const count = chunks(n, grain);
-  auto one = [&](std::size_t c) { body(c, c * grain, (c + 1) * grain < n ? (c + 1) * grain : n); };
-  if (count <= 1 || tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1) {
-    for (std::size_t c = 0; c < count; ++c) one(c);
+  if (Team* const t = team(); t && count > 1) {
+    t->run(
+        count, [](void const* context, std::size_t c) { (*static_cast<Job const*>(context))(c); }, &job);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, count, one, tbb::static_partitioner{});
+  for (std::size_t c = 0; c < count; ++c) job(c);
 }
 
 /// Sum of body(begin, end) over the chunks, added in ascending order.

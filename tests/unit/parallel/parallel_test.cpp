@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "fissura/parallel/parallel.hpp"
@@ -49,10 +52,57 @@ TEST(Threads, zero_means_all) {
   EXPECT_GE(all.count(), 1);
   {
     Threads const one(1);
-    EXPECT_EQ(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism), 1u);
+    EXPECT_EQ(team()->size(), 1);
   }
-  EXPECT_EQ(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
-            static_cast<std::size_t>(all.count()));
+  EXPECT_EQ(team()->size(), all.count());
+}
+
+// Requirement: an error in one chunk reaches the caller, and the threads can work again afterwards.
+TEST(Threads, pass_errors_on) {
+  Threads const four(4);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_THROW(for_chunks(1000, 10,
+                            [](std::size_t chunk, std::size_t, std::size_t) {
+                              if (chunk == 37) throw std::runtime_error("chunk 37");
+                            }),
+                 std::runtime_error);
+    std::atomic<int> done{0};
+    for_chunks(1000, 10, [&](std::size_t, std::size_t, std::size_t) { ++done; });
+    ASSERT_EQ(done, 100);
+  }
+}
+
+// Requirement: work started within work, and by several callers at once, is done once and completely.
+TEST(Threads, nest_and_share) {
+  Threads const three(3);
+  auto const both = [] {
+    std::atomic<int> done{0};
+    for_chunks(50, 1, [&](std::size_t, std::size_t, std::size_t) {
+      for_chunks(20, 1, [&](std::size_t, std::size_t, std::size_t) { ++done; });
+    });
+    return done.load();
+  };
+  int elsewhere = 0;
+  std::jthread other([&] {
+    for (int i = 0; i < 200; ++i) elsewhere += both();
+  });
+  int here = 0;
+  for (int i = 0; i < 200; ++i) here += both();
+  other.join();
+  EXPECT_EQ(here, 200'000);
+  EXPECT_EQ(elsewhere, 200'000);
+}
+
+// Requirement: ten thousand short passes in a row, with pauses in which threads fall asleep, lose nothing.
+TEST(Threads, wake_for_every_pass) {
+  Threads const four(4);
+  long sum = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    if (i % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    sum += sum_chunks<long>(
+        64, 4, [](std::size_t begin, std::size_t end) { return static_cast<long>(end - begin); });
+  }
+  EXPECT_EQ(sum, 640'000);
 }
 
 } // namespace
