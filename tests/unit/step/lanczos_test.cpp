@@ -1,0 +1,42 @@
+#include "fissura/step/lanczos.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+namespace fissura::step {
+namespace {
+
+/// A chain of n masses: -x_(i-1) + 2 x_i - x_(i+1); its largest eigenvalue is 2 + 2 cos(pi/(n + 1)).
+void chain(std::span<double const> in, std::span<double> out) {
+  for (std::size_t i = 0; i < in.size(); ++i)
+    out[i] = 2 * in[i] - (i > 0 ? in[i - 1] : 0) - (i + 1 < in.size() ? in[i + 1] : 0);
+}
+
+std::vector<double> start(std::size_t n) {
+  std::vector<double> x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = std::sin(1.0 + 37.0 * static_cast<double>(i * i % 101));
+  return x;
+}
+
+// Requirement: small problems are solved to rounding, since the iteration runs until it is exhausted.
+TEST(Lanczos, solves_small_problems) {
+  for (std::size_t const n : {1, 2, 7, 20}) {
+    auto x = start(n);
+    double const exact = 2 + 2 * std::cos(std::numbers::pi / static_cast<double>(n + 1));
+    EXPECT_NEAR(largest_eigenvalue(chain, x, 1e-12, 100), exact, 1e-9) << n;
+  }
+}
+
+// Requirement: on a large problem the value, residual included, is never below the eigenvalue by more than
+// the tolerance and never above it by more than the residual that many products leave.
+TEST(Lanczos, errs_on_the_safe_side_on_large_problems) {
+  auto x = start(5000);
+  double const value = largest_eigenvalue(chain, x, 0.002, 100);
+  EXPECT_GE(value, 4 * (1 - 0.002));
+  EXPECT_LE(value, 4 * 1.03);
+}
+
+} // namespace
+} // namespace fissura::step
