@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "fissura/concrete/concrete.hpp"
@@ -29,11 +30,11 @@ class Tangent {
  public:
   Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
     if (bars_activated) rebar::activate_all(m, s_.bars);
-    std::fill(s_.v.begin(), s_.v.end(), 0.0);
+    if (!m.initial_velocity.empty()) std::fill(s_.v.begin(), s_.v.end(), 0.0);
     force_ = core::Buffer<double>(s_.u.size());
-    at_rest_.resize(s_.u.size());
     forces();
-    std::copy(force_.begin(), force_.end(), at_rest_.begin()); // prestress, motions at t = 0
+    if (std::any_of(force_.begin(), force_.end(), [](double f) { return f != 0; }))
+      at_rest_.assign(force_.begin(), force_.end()); // prestress
     weigh_unknowns();
   }
 
@@ -46,7 +47,7 @@ class Tangent {
         [&](auto in, auto out) {
           of_viscosity ? apply(in, out, s_.v, trial_velocity) : apply(in, out, s_.u, trial);
         },
-        start, tolerance, m_.tets.count > large ? most_products_on_large : most_products);
+        std::move(start), tolerance, m_.tets.count > large ? most_products_on_large : most_products);
   }
 
  private:
@@ -93,11 +94,12 @@ class Tangent {
     double const size = length / largest, inverse = 1 / size;
     each_node([&](std::size_t i, double factor) { field[i] = size * factor * in[i]; });
     forces();
-    each_node([&](std::size_t i, double factor) { out[i] = -factor * inverse * (force_[i] - at_rest_[i]); });
+    each_node([&](std::size_t i, double factor) { out[i] = -factor * inverse * (force_[i] - rest(i)); });
     std::fill(field.begin(), field.end(), 0.0);
     constrain(out);
   }
 
+  double rest(std::size_t i) const { return at_rest_.empty() ? 0 : at_rest_[i]; }
   void forces() {
     concrete::joint_forces(m_, s_, w_);
     rebar::bar_joint_forces(m_, s_, w_);
@@ -111,7 +113,7 @@ class Tangent {
   State s_;
   state::Scratch w_;
   core::Buffer<double> force_;
-  std::vector<double> at_rest_;
+  std::vector<double> at_rest_;     ///< empty where there are no forces at rest
   std::vector<double> per_unknown_; ///< per node
 };
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -38,9 +39,9 @@ Ritz largest_of_tridiagonal(std::vector<double> const& diagonal, std::vector<dou
 
 } // namespace
 
-double largest_eigenvalue(Product const& product, std::span<double> start, double tolerance, int most_steps) {
-  std::vector<double> diagonal, beside, before(start.size(), 0), now(start.begin(), start.end()),
-      next(start.size());
+double largest_eigenvalue(Product const& product, std::vector<double> start, double tolerance,
+                          int most_steps) {
+  std::vector<double> diagonal, beside, now = std::move(start), before(now.size(), 0), next(now.size());
   double const size = std::sqrt(dot(now, now));
   for (double& x : now) x /= size;
   double beta = 0;
