@@ -14,8 +14,10 @@ History::History(std::string const& path, model::Model const& m, Gauges const& g
   for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
                             "bar_joints_yielded", "bars_broken", "fragments"})
     columns.push_back({count, "-"});
-  csv_ = std::make_unique<output::CsvWriter>(path, columns);
+  if (!path.empty()) csv_ = std::make_unique<output::CsvWriter>(path, columns);
   values_.reserve(columns.size());
+  columns_.push_back({"time", "s"});
+  columns_.insert(columns_.end(), columns.begin(), columns.end());
 }
 
 void History::row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
@@ -29,7 +31,9 @@ void History::row(double time, model::Model const& m, state::State const& s, Gau
   for (int const n : {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded,
                       bars.broken, count_fragments_(m, s, joints.broken)})
     values_.push_back(n);
-  csv_->row(time, values_);
+  rows_.push_back(time);
+  rows_.insert(rows_.end(), values_.begin(), values_.end());
+  if (csv_) csv_->row(time, values_);
 }
 
 } // namespace fissura::sim

@@ -1,5 +1,5 @@
 #pragma once
-// history.csv: gauges, reactions, energies and counts over time.
+// history.csv: gauges, reactions, energies and counts over time; kept in memory as well.
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,14 +13,22 @@ namespace fissura::sim {
 
 class History {
  public:
+  /// An empty path: in memory only.
   History(std::string const& path, model::Model const& m, Gauges const& gauges);
   void row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
            step::EnergyBalance const& e, Monitor const& monitor);
-  void close() { csv_->close(); }
+  void close() {
+    if (csv_) csv_->close();
+  }
+  /// The time first.
+  std::vector<output::Column> const& columns() const { return columns_; }
+  /// Row after row, each as long as columns().
+  std::vector<double> const& rows() const { return rows_; }
 
  private:
   std::unique_ptr<output::CsvWriter> csv_;
-  std::vector<double> values_;
+  std::vector<output::Column> columns_;
+  std::vector<double> values_, rows_;
   FragmentCount count_fragments_;
 };
 

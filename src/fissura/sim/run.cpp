@@ -77,10 +77,11 @@ double planned_time(Model const& m) {
   return sum;
 }
 
-/// One run from its first step to its last.
-class Run {
+} // namespace
+
+class Run::Impl {
  public:
-  Run(model::Case const& c, RunOptions const& options)
+  Impl(model::Case const& c, RunOptions const& options)
       : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads),
         log_(make_log(options.quiet)), m_(build_model(c, report_)), s_(step::make_state(m_)),
         w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
@@ -92,27 +93,32 @@ class Run {
     if (options.until > 0) end_ = std::min(end_, options.until);
   }
 
-  RunResult go() {
-    open_folder();
+  void open() {
+    if (!options_.out.empty()) open_folder();
+    history_ =
+        std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_, gauges_);
     describe();
-    SignalGuard const signals;
-    RunResult result{"complete", "end time reached", options_.out};
+  }
+
+  bool step() {
+    if (ended_) return false;
     try {
-      loop(result);
+      ended_ = reason_to_stop() || advance();
     } catch (core::Error const& e) {
       if (e.failure == core::Failure::io) throw;
-      result = {"failed", e.what(), options_.out};
+      result_ = {"failed", e.what(), options_.out};
+      ended_ = true;
     }
-    finish(result);
-    return result;
+    return !ended_;
   }
 
  private:
+  friend class Run;
+
   void open_folder() {
     make_folder(options_.out, options_.force);
     log_to_file(*log_, options_.out + "/log.txt");
     output::replace_file(options_.out + "/case.toml", options_.deck_echo);
-    history_ = std::make_unique<History>(options_.out + "/history.csv", m_, gauges_);
     fields_ = std::make_unique<FieldWriter>(options_.out);
   }
 
@@ -133,10 +139,10 @@ class Run {
                concrete::kernels().name);
   }
 
-  bool reason_to_stop(RunResult& result) {
+  bool reason_to_stop() {
     auto stop = [&](char const* status, std::string reason) {
-      result.status = status;
-      result.reason = std::move(reason);
+      result_.status = status;
+      result_.reason = std::move(reason);
       return true;
     };
     if (interrupted) return stop("stopped", "interrupted by a signal");
@@ -152,36 +158,35 @@ class Run {
     return false;
   }
 
-  void loop(RunResult& result) {
-    while (!reason_to_stop(result)) {
-      double const time = s_.time;
-      bool const row = history_due_.at(time), frame = frame_due_.at(time) && !options_.out.empty();
-      bool const beat = s_.step % m_.source.run.energy_every == 0, reading = row || beat;
-      if (frame) fields_->write(m_, s_), frame_due_.done(time);
-      bool const steering = beat && !m_.paths.empty(); // never on rows: output settings change no result
-      if (row || steering) gauges_.read_state(m_, s_);
-      step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
-      if (!reading) continue;
-      if (auto const trouble = monitor_.take(energy_, m_, s_))
-        throw core::Error(core::Failure::run, *trouble);
-      if (row || steering) gauges_.read_forces(m_, s_, time);
-      if (row) {
-        write_row(time);
-        history_due_.done(time);
-        if (auto const met = stops_.met(gauges_)) {
-          result.reason = *met;
-          return;
-        }
+  /// One time step and what is due with it; true if it was the last one.
+  bool advance() {
+    double const time = s_.time;
+    bool const row = history_due_.at(time), frame = frame_due_.at(time) && fields_;
+    bool const beat = s_.step % m_.source.run.energy_every == 0, reading = row || beat;
+    if (frame) fields_->write(m_, s_), frame_due_.done(time);
+    bool const steering = beat && !m_.paths.empty(); // never on rows: output settings change no result
+    if (row || steering) gauges_.read_state(m_, s_);
+    step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
+    if (!reading) return false;
+    if (auto const trouble = monitor_.take(energy_, m_, s_)) throw core::Error(core::Failure::run, *trouble);
+    if (row || steering) gauges_.read_forces(m_, s_, time);
+    if (row) {
+      write_row(time);
+      history_due_.done(time);
+      if (auto const met = stops_.met(gauges_)) {
+        result_.reason = *met;
+        return true;
       }
-      if (steering && follow_paths(result)) return;
-      if (beat) change_stage(); // on a beat of its own, so that output settings change no result
-      show_progress();
     }
+    if (steering && follow_paths()) return true;
+    if (beat) change_stage(); // on a beat of its own, so that output settings change no result
+    show_progress();
+    return false;
   }
 
   /// Turns the paths whose gauges have reached their targets; true once a path has reached its last one and
   /// says that this ends the run.
-  bool follow_paths(RunResult& result) {
+  bool follow_paths() {
     for (std::size_t i = 0; i < m_.paths.size(); ++i) {
       auto const& path = m_.paths[i];
       if (path.stage > s_.stage || loads::path_ended(path, s_.paths[i])) continue;
@@ -189,7 +194,7 @@ class Run {
       for (int k = s_.paths[i].target - reached; k < s_.paths[i].target; ++k)
         log_->info("t = {:.5g} s: {}", s_.time, describe_target(path, k));
       if (!path.stops || !loads::path_ended(path, s_.paths[i])) continue;
-      result.reason = describe_target(path, s_.paths[i].target - 1);
+      result_.reason = describe_target(path, s_.paths[i].target - 1);
       return true;
     }
     return false;
@@ -267,11 +272,12 @@ class Run {
       log_->info("{}", line);
   }
 
-  void finish(RunResult const& result) {
+  void finish() {
     if (::isatty(STDOUT_FILENO) && !options_.quiet) fmt::print("\n");
-    fields_->write(m_, s_);
+    if (fields_) fields_->write(m_, s_);
     history_->close();
-    write_summary(result);
+    if (!options_.out.empty()) output::write_json(options_.out + "/run.json", summary());
+    auto const& result = result_;
     auto const level = result.status == "failed" ? spdlog::level::err : spdlog::level::info;
     log_->log(level, "{}: {} (t = {:.5g} s, {} steps, {})", result.status, result.reason, s_.time, s_.step,
               readable_duration(progress_.elapsed()));
@@ -289,7 +295,8 @@ class Run {
                  100 * m_.source.run.residual_warn);
   }
 
-  void write_summary(RunResult const& result) {
+  output::Json summary() const {
+    auto const& result = result_;
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
     double const wall = progress_.elapsed();
@@ -328,7 +335,7 @@ class Run {
     j["added_mass"] = m_.added_mass;
     j["total_mass"] = m_.total_mass;
     if (!m_.rigid.empty()) j["rigid_bodies"] = rigid_bodies();
-    output::write_json(options_.out + "/run.json", j);
+    return j;
   }
 
   /// Planes and impactors as they are at the end.
@@ -367,9 +374,42 @@ class Run {
   std::unique_ptr<FieldWriter> fields_;
   step::EnergyBalance energy_;
   int settled_ = 0;
+  RunResult result_{"complete", "end time reached", options_.out};
+  bool ended_ = false;
 };
 
-} // namespace
+Run::Run(model::Case const& c, RunOptions const& options) : impl_(std::make_unique<Impl>(c, options)) {}
+Run::~Run() = default;
+Run::Run(Run&&) noexcept = default;
+Run& Run::operator=(Run&&) noexcept = default;
+void Run::open() {
+  impl_->open();
+}
+bool Run::step() {
+  return impl_->step();
+}
+RunResult const& Run::finish() {
+  impl_->finish();
+  return impl_->result_;
+}
+bool Run::ended() const {
+  return impl_->ended_;
+}
+RunResult const& Run::result() const {
+  return impl_->result_;
+}
+Model const& Run::model() const {
+  return impl_->m_;
+}
+state::State const& Run::state() const {
+  return impl_->s_;
+}
+History const& Run::history() const {
+  return *impl_->history_;
+}
+std::string Run::summary() const {
+  return impl_->summary().dump(2, ' ', false, output::Json::error_handler_t::replace);
+}
 
 RunResult run_case(model::Case const& c, RunOptions const& options) {
   RunOptions o = options;
@@ -377,7 +417,12 @@ RunResult run_case(model::Case const& c, RunOptions const& options) {
   if (std::filesystem::exists(o.out) && !o.force)
     throw core::Error(core::Failure::io,
                       fmt::format("{} exists already; choose another --out or add --force", o.out));
-  return Run(c, o).go();
+  Run run(c, o);
+  run.open();
+  SignalGuard const signals;
+  while (run.step()) {
+  }
+  return run.finish();
 }
 
 } // namespace fissura::sim

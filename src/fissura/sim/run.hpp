@@ -1,10 +1,20 @@
 #pragma once
 // The driver: from a case to a run folder.
+#include <memory>
 #include <string>
 
 #include "fissura/model/case.hpp"
 
+namespace fissura::model {
+struct Model;
+}
+namespace fissura::state {
+struct State;
+}
+
 namespace fissura::sim {
+
+class History;
 
 struct RunOptions {
   std::string out;       ///< run folder; empty = "<deck name>.run" in the working folder
@@ -21,6 +31,37 @@ struct RunResult {
   std::string status; ///< complete, stopped, failed
   std::string reason;
   std::string folder;
+};
+
+/// One run, step by step: open(), step() until it returns false, finish().
+class Run {
+ public:
+  /// Builds the model. Bad input throws core::InputError; nothing is written yet.
+  Run(model::Case const& c, RunOptions const& options);
+  ~Run();
+  Run(Run&&) noexcept;
+  Run& operator=(Run&&) noexcept;
+
+  /// Makes the run folder; with an empty `options.out` nothing is ever written and the history is kept in
+  /// memory only.
+  void open();
+  /// One time step with the rows, frames and checks that are due with it. False once the run has ended:
+  /// result() says how. A failed run ends with status "failed"; only input/output failures throw.
+  bool step();
+  /// Writes the last frame and the summary.
+  RunResult const& finish();
+
+  bool ended() const;
+  RunResult const& result() const;
+  model::Model const& model() const;
+  state::State const& state() const;
+  History const& history() const;
+  /// What run.json holds, as JSON text.
+  std::string summary() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Builds the model, runs it and leaves a run folder (docs/reference/outputs.md). Bad input throws
