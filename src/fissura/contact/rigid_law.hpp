@@ -37,7 +37,7 @@ struct RigidTraction {
 inline Vec3 turned_into_plane(Vec3 e, Vec3 normal) {
   Vec3 const flat = e - dot(e, normal) * normal;
   double const now = norm(flat);
-  return now > 0 ? (norm(e) / now) * flat : Vec3{};
+  return now == 0 ? Vec3{} : (norm(e) / now) * flat; // so that a NaN is not lost
 }
 
 /// Traction of a point at penetration g > 0 that has moved by `step` [m] relative to the body since the last

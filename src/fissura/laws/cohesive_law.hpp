@@ -48,7 +48,7 @@ template <class V> struct Branches {
 template <class V> inline V shear_strength(LawPack<V> const& p, HistoryPack<V> const& h, V opening) {
   V const zero(0.0);
   V const now = choose(opening < zero, V(p.f_s - p.k * opening * p.tan_phi), p.f_s);
-  return choose(h.f_s > zero, h.f_s, now);
+  return choose(h.f_s <= zero, now, h.f_s); // so that a NaN is not lost
 }
 
 /// Sliding at the strength: the parabola of Eq. 13 carried over to shear, or a straight line where the

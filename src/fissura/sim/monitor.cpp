@@ -6,6 +6,8 @@
 
 #include "fissura/core/finite.hpp"
 #include "fissura/loads/loads.hpp"
+#include "fissura/sim/guards.hpp"
+#include "fissura/sim/spots.hpp"
 
 namespace fissura::sim {
 
@@ -23,6 +25,7 @@ BarCounts count_bars(state::BarState const& bars) {
 }
 
 Monitor::Monitor(Model const& m) {
+  any_paper_ = std::find(m.tets.is_paper.begin(), m.tets.is_paper.end(), 1) != m.tets.is_paper.end();
   // Guards act once the energy put in is no longer tiny: a thousandth of what cracks the whole volume
   // elastically.
   for (std::size_t t = 0; t < static_cast<std::size_t>(m.tets.count); ++t) {
@@ -32,14 +35,12 @@ Monitor::Monitor(Model const& m) {
   }
 }
 
-std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model const& m, State const& s) {
-  if (!core::is_finite(e.held()) || !core::is_finite(e.dissipated())) {
-    std::string const where = find_non_finite(m, s);
-    return fmt::format(
-        "a number is no longer finite at t = {:.6g} s, {}; likely the time step is too large (lower "
-        "[run] dt_factor) or an element has collapsed",
-        s.time, where.empty() ? "in the energies" : where);
-  }
+std::optional<Trouble> Monitor::take(step::EnergyBalance const& e, Model const& m, State const& s) {
+  // The logarithm in the strain energy finds tets that are inside out; only the law `paper` has none.
+  if (!core::is_finite(e.strain) || any_paper_)
+    if (auto found = inverted_tet(m, s)) return found;
+  if (!core::is_finite(e.held()) || !core::is_finite(e.dissipated()) || !core::is_finite(e.work()))
+    return not_finite(m, s);
   scale_ = std::max(scale_, e.start + e.absolute_work);
   if (std::abs(e.missing()) > std::abs(worst_missing_)) worst_missing_ = e.missing();
   shares_.push_back({e.kinetic, e.internal()});
@@ -47,12 +48,25 @@ std::optional<std::string> Monitor::take(step::EnergyBalance const& e, Model con
   if (scale_ < floor_ || scale_ <= 0) return std::nullopt;
   double const now = e.missing() / scale_;
   if (std::abs(now) > m.source.run.residual_warn) warned_ = true;
-  if (std::abs(now) > m.source.run.residual_stop)
-    return fmt::format(
-        "the energy balance is off by {:.2g} % of the energy put in at t = {:.6g} s ({}); lower [run] "
-        "dt_factor or raise [run] residual_stop if this is understood",
-        100 * now, s.time, now < 0 ? "energy was created" : "energy was lost");
+  if (std::abs(now) > m.source.run.residual_stop) return unbalanced(now, m, s);
   return std::nullopt;
+}
+
+Trouble Monitor::unbalanced(double residual, Model const& m, State const& s) {
+  Trouble t;
+  t.kind = "energy";
+  t.what = fmt::format("the energy balance is off by {:+.2g} % of the energy put in: energy was {}",
+                       100 * residual, residual < 0 ? "created" : "lost");
+  auto const fastest = fastest_tet(m, s);
+  t.spot = tet_spot(m, fastest.tet);
+  t.spot.what = fmt::format("the fastest ({:.3g} m/s) is {}", fastest.speed, t.spot.what);
+  t.time = s.time, t.step = s.step;
+  t.cause = residual < 0 ? "the time step is too large, or contact between fragments is too stiff for it"
+                         : "energy went where no account books it";
+  t.cure =
+      "lower [run] dt_factor and look at the energy columns of history.csv; raise [run] residual_stop only "
+      "where this is understood";
+  return t;
 }
 
 void Monitor::weigh_forces(Model const& m, State const& s) {
@@ -94,19 +108,6 @@ double Monitor::kinetic_ratio() const {
   for (auto const& s : shares_)
     if (s.internal > 0.01 * largest) ratio = std::max(ratio, s.kinetic / s.internal);
   return ratio;
-}
-
-std::string find_non_finite(Model const& m, State const& s) {
-  for (int t = 0; t < m.tets.count; ++t)
-    for (int i = 0; i < 16; ++i) {
-      std::size_t const k = 16 * static_cast<std::size_t>(t) + static_cast<std::size_t>(i);
-      if (core::is_finite(s.u[k]) && core::is_finite(s.v[k])) continue;
-      auto const x = mesh::corners(m.mesh, t);
-      Vec3 const at = 0.25 * (x[0] + x[1] + x[2] + x[3]);
-      return fmt::format("in tet {} of group {} at ({:.4g}, {:.4g}, {:.4g}) m", m.mesh.input_id[t],
-                         m.mesh.volume_groups[m.mesh.tet_group[t]], at.x, at.y, at.z);
-    }
-  return {};
 }
 
 } // namespace fissura::sim

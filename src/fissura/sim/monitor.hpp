@@ -1,11 +1,11 @@
 #pragma once
-// Watches a run: energy residual, kinetic share, damage counts, and the place of a number that is not finite.
+// Watches the readings of the energy ledger: residual, kinetic share, equilibrium.
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/sim/trouble.hpp"
 #include "fissura/step/ledger.hpp"
 
 namespace fissura::sim {
@@ -20,7 +20,7 @@ class Monitor {
   explicit Monitor(model::Model const& m);
 
   /// Takes in a reading of the ledger. Returns the reason to stop the run, if there is one.
-  std::optional<std::string> take(step::EnergyBalance const& e, model::Model const& m, state::State const& s);
+  std::optional<Trouble> take(step::EnergyBalance const& e, model::Model const& m, state::State const& s);
 
   /// Largest |missing energy| so far over the largest energy put in so far; negative = energy was created.
   double residual() const { return scale_ > 0 ? worst_missing_ / scale_ : 0; }
@@ -38,19 +38,16 @@ class Monitor {
   bool crossed_warning() const { return warned_; }
 
  private:
+  static Trouble unbalanced(double residual, model::Model const& m, state::State const& s);
   void weigh_forces(model::Model const& m, state::State const& s);
   double worst_missing_ = 0, scale_ = 0, floor_ = 0;
   double last_imbalance_ = 0;
   double resultant_ = 0, all_forces_ = 0; ///< sums over readings [N]
-  bool warned_ = false;
+  bool warned_ = false, any_paper_ = false;
   struct Share {
     double kinetic, internal;
   };
   std::vector<Share> shares_;
 };
-
-/// Where the first non-finite displacement or velocity sits, for the message that ends the run; empty if
-/// none.
-std::string find_non_finite(model::Model const& m, state::State const& s);
 
 } // namespace fissura::sim

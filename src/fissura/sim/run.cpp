@@ -16,6 +16,7 @@
 #include "fissura/sim/clock.hpp"
 #include "fissura/sim/fields.hpp"
 #include "fissura/sim/fragments.hpp"
+#include "fissura/sim/guards.hpp"
 #include "fissura/sim/history.hpp"
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/monitor.hpp"
@@ -84,7 +85,8 @@ class Run::Impl {
   Impl(model::Case const& c, RunOptions const& options)
       : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads),
         log_(make_log(options.quiet)), m_(build_model(c, report_)), s_(step::make_state(m_)),
-        w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), end_(planned_time(m_)),
+        w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), guards_(m_),
+        end_(planned_time(m_)),
         history_due_(c.output.history_every > 0 ? c.output.history_every
                                                 : end_ / std::max(1, c.output.history_points)),
         frame_due_(c.output.frames_every > 0 ? c.output.frames_every
@@ -106,6 +108,7 @@ class Run::Impl {
       ended_ = reason_to_stop() || advance();
     } catch (core::Error const& e) {
       if (e.failure == core::Failure::io) throw;
+      if (auto const* failure = dynamic_cast<RunFailure const*>(&e)) trouble_ = failure->trouble;
       result_ = {"failed", e.what(), options_.out};
       ended_ = true;
     }
@@ -167,8 +170,9 @@ class Run::Impl {
     bool const steering = beat && !m_.paths.empty(); // never on rows: output settings change no result
     if (row || steering) gauges_.read_state(m_, s_);
     step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
+    if (auto trouble = guards_.after_step(m_, s_)) throw RunFailure(std::move(*trouble));
     if (!reading) return false;
-    if (auto const trouble = monitor_.take(energy_, m_, s_)) throw core::Error(core::Failure::run, *trouble);
+    if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
     if (row || steering) gauges_.read_forces(m_, s_, time);
     if (row) {
       write_row(time);
@@ -335,6 +339,24 @@ class Run::Impl {
     j["added_mass"] = m_.added_mass;
     j["total_mass"] = m_.total_mass;
     if (!m_.rigid.empty()) j["rigid_bodies"] = rigid_bodies();
+    if (trouble_) j["failure"] = failure_json(*trouble_);
+    return j;
+  }
+
+  output::Json failure_json(Trouble const& t) const {
+    output::Json j = output::Json::object();
+    j["kind"] = t.kind;
+    j["what"] = t.what;
+    j["where"] = sim::describe(t.spot);
+    j["tet"] = t.spot.tet;
+    j["group"] = t.spot.group;
+    if (t.spot.has_place) j["at"] = output::Json::array({t.spot.at.x, t.spot.at.y, t.spot.at.z});
+    j["time"] = t.time;
+    j["step"] = t.step;
+    j["cause"] = t.cause;
+    j["cure"] = t.cure;
+    if (fields_) // the fields as they were
+      j["frame"] = fmt::format("frames/fields_{:05}.vtu", fields_->frames() - 1);
     return j;
   }
 
@@ -367,6 +389,8 @@ class Run::Impl {
   Gauges gauges_;
   Stops stops_;
   Monitor monitor_;
+  Guards guards_;
+  std::optional<Trouble> trouble_; ///< what ended the run, if it failed
   Progress progress_;
   double end_;
   Due history_due_, frame_due_;

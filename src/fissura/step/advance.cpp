@@ -57,6 +57,7 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, Effects c
 } // namespace
 
 void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
+  s.time = static_cast<double>(s.step) * m.dt;
   double const impact = loads::take_hold(m, s); // where supports and motions begin
   Vec3 const gravity = loads::gravity_at(m, s, s.time);
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));

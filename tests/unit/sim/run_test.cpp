@@ -292,7 +292,7 @@ TEST(RunEnds, failed_naming_the_place_of_a_nan) {
   auto const result = sim::run_case(c, options_for(folder / "run"));
   EXPECT_EQ(result.status, "failed");
   EXPECT_NE(result.reason.find("no longer finite"), std::string::npos) << result.reason;
-  EXPECT_NE(result.reason.find("in tet "), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("of tet "), std::string::npos) << result.reason;
   EXPECT_NE(result.reason.find("of group concrete at ("), std::string::npos) << result.reason;
 }
 

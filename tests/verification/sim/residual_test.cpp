@@ -29,7 +29,8 @@ template <class Meddle> Watched watch(double stop, Meddle const& meddle) {
   for (int i = 0; i < 6000 && !r.reason; ++i) {
     bool const reading = i % 50 == 0;
     step::advance(x.m, x.s, x.w, reading ? &x.e : nullptr);
-    if (reading) r.reason = monitor.take(x.e, x.m, x.s);
+    if (reading)
+      if (auto const trouble = monitor.take(x.e, x.m, x.s)) r.reason = sim::describe(*trouble);
     meddle(x, i);
   }
   r.residual = monitor.residual();

@@ -1,0 +1,361 @@
+// A number that is not finite, a tet inside out, a node that flies off: found soon, and named by its place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+#include "fissura/sim/guards.hpp"
+#include "fissura/sim/monitor.hpp"
+#include "fissura/sim/run.hpp"
+#include "fissura/sim/spots.hpp"
+#include "fissura/sim/state_hash.hpp"
+#include "support/cases.hpp"
+#include "unit/output/temporary_folder.hpp"
+
+namespace fissura::support {
+namespace {
+
+double const nan = std::numeric_limits<double>::quiet_NaN();
+double const infinity = std::numeric_limits<double>::infinity();
+
+/// A tie that cracks, with every kind of history in use: bars, strain rates, a body that lies on it, an
+/// impactor, a floor, a path, a load, dashpots, gravity, all kinds of damping.
+model::Case everything_at_once() {
+  auto c = tie_case({6, 2, 2}, 1, 1.5);
+  c.concretes[0].rate_factor = model::RateFactor::mc2010;
+  c.concretes[0].mu_bar = 1e4;
+  c.run.mass_damping = 10, c.run.local_damping = 0.01;
+  c.gravity.on = true, c.gravity.curve = constant(9.81);
+  c.mesh.boxes[0].body = "tie";
+  auto lid = box_of_cells("lid", {0.2, 0, 0.1}, {0.3, 0.1, 0.15}, {1, 1, 1});
+  lid.body = "lid";
+  c.mesh.boxes.push_back(lid);
+  c.initial_velocities = {{{}, group("lid"), {0, 0, -1}}};
+  model::ImpactorSpec ball;
+  ball.name = "ball", ball.centre = {0.45, 0.05, 0.15}, ball.radius = 0.05, ball.mass = 1;
+  ball.velocity = {0, 0, -2};
+  c.impactors = {ball};
+  c.planes = {{{}, "floor", {0, 0, 0}, {0, 0, 1}, 0.6}};
+  model::ForceSpec load;
+  load.place = {"case.toml", 50, 1}, load.name = "load", load.where = plane(0, 0.6),
+  load.direction = {0, 0, 1};
+  load.curve = constant(10);
+  c.forces = {load};
+  auto u = gauge("u", model::GaugeSpec::Kind::displacement);
+  u.where = plane(0, 0.6);
+  c.gauges = {u};
+  model::PathSpec path;
+  path.speed = 1e-3, path.turn = 1e-4, path.targets = {{{}, "u", 1, "1 m"}};
+  auto side = motion_at("side", box({0, 0, 0}, {0.01, 0, 0.1}), 1, constant(0), true);
+  side.path = path;
+  c.supports[0].fix = {true, false, true};
+  c.motions.push_back(side);
+  return c;
+}
+
+/// The scene when joints are damaged and broken, bars slip and bodies touch.
+std::unique_ptr<Stepper> scene() {
+  auto x = std::make_unique<Stepper>(everything_at_once());
+  for (int i = 0; i < 4000; ++i) {
+    x->advance();
+    if (concrete::count_joints(x->m, x->s).damaged > 0 && x->s.bars.history[4].activated &&
+        !x->s.contact.pairs.empty() && !x->s.rigid.touch.empty())
+      break;
+  }
+  concrete::set_damage(x->m, x->s, x->m.joint_count() - 1, 1);
+  x->w = step::make_scratch(x->m, x->s);
+  x->advance();
+  return x;
+}
+
+std::size_t first_damaged(state::State const& s) {
+  std::size_t j = 0;
+  while (s.joint_status[j] == 0) ++j;
+  return j;
+}
+std::size_t first_activated(state::State const& s) {
+  std::size_t j = 0;
+  while (!s.bars.history[j].activated) ++j;
+  return j;
+}
+
+struct Plant {
+  std::string name;
+  std::function<double*(state::State&)> number;
+};
+void PrintTo(Plant const& plant, std::ostream* out) {
+  *out << plant.name;
+}
+
+/// Every number that State holds, by name.
+std::vector<Plant> all_fields() {
+  using state::State;
+  std::vector<Plant> all;
+  auto add = [&](std::string name, std::function<double*(State&)> number) {
+    all.push_back({std::move(name), std::move(number)});
+  };
+  for (int k : {0, 1, 2, 101, 202}) {
+    add("u_" + std::to_string(k),
+        [k](State& s) { return &s.u[static_cast<std::size_t>(4 * (k / 3) + k % 3)]; });
+    add("v_" + std::to_string(k),
+        [k](State& s) { return &s.v[static_cast<std::size_t>(4 * (k / 3) + k % 3)]; });
+  }
+  for (int k = 0; k < state::JointHistory::doubles; ++k)
+    add("joint_history_" + std::to_string(k),
+        [k](State& s) { return reinterpret_cast<double*>(&s.joint_history[first_damaged(s)]) + k; });
+  for (int k = 0; k < state::JointHistory::doubles; ++k)
+    add("broken_history_" + std::to_string(k), [k](State& s) {
+      std::size_t j = 0;
+      while (s.joint_status[j] != static_cast<std::uint8_t>(state::JointStatus::broken)) ++j;
+      return reinterpret_cast<double*>(&s.joint_history[j]) + k;
+    });
+  add("joint_rate_sum", [](State& s) { return &s.joint_rate[5].sum[1]; });
+  add("joint_rate_weight", [](State& s) { return &s.joint_rate[5].weight; });
+  add("joint_rate_excess", [](State& s) { return &s.joint_rate[5].excess; });
+
+#define BAR(field) add("bar_" #field, [](State& s) { return &s.bars.field[2]; })
+  BAR(elongation);
+  BAR(element_stress);
+  BAR(joint_stress);
+  BAR(joint_strain);
+  BAR(slip);
+  BAR(normalised_slip);
+  BAR(dowel_force);
+#undef BAR
+#define BAR(part, field)                                                                                     \
+  add("bar_" #part "_" #field, [](State& s) { return &s.bars.part[first_activated(s)].field; })
+  BAR(motion, axial);
+  BAR(motion, slip);
+  BAR(motion, t_1);
+  BAR(motion, t_2);
+  BAR(motion, held);
+  BAR(account, bond_steel);
+  BAR(account, dowel);
+  BAR(account, rupture);
+  BAR(history, S_0);
+  BAR(history, t_0.x);
+  BAR(history, t_0.y);
+  BAR(history, t_0.z);
+  BAR(history, stored_0);
+  BAR(history, S);
+  BAR(history, t_s);
+  BAR(history, sigma);
+  BAR(history, V_s);
+  BAR(history, strain);
+  BAR(history, bond.sigma_cr);
+  BAR(history, bond.curve.strength);
+  BAR(history, bond.curve.eps_y);
+  BAR(history, bond.curve.s_y);
+  BAR(history, bond.curve.ramp);
+  BAR(history, bond.curve.H1);
+  BAR(history, bond.curve.H2);
+  BAR(history, bond.curve.eps_0);
+  BAR(history, bond.curve.s_0);
+  BAR(history, bond.s_max);
+  BAR(history, bond.shift);
+  BAR(history, bond.eps_max);
+  BAR(history, bond.K);
+  BAR(history, dowel.DI);
+  BAR(history, dowel.softening);
+  BAR(history, dowel.V_max);
+  BAR(history, dowel.strength);
+  BAR(history, steel.kato.strain);
+  BAR(history, steel.kato.stress);
+  BAR(history, steel.kato.eps_v);
+  BAR(history, steel.kato.sigma_v);
+  BAR(history, steel.kato.eps_max);
+  BAR(history, steel.kato.eps_z);
+  BAR(history, steel.kato.eps_pm);
+  BAR(history, steel.kato.sigma_pm);
+  BAR(history, steel.kato.E_B_unloading);
+  BAR(history, steel.kato.E_B_loading);
+  BAR(history, steel.menegotto_pinto.strain);
+  BAR(history, steel.menegotto_pinto.stress);
+  BAR(history, steel.menegotto_pinto.eps_r);
+  BAR(history, steel.menegotto_pinto.sigma_r);
+  BAR(history, steel.menegotto_pinto.roundness);
+  BAR(history, steel.menegotto_pinto.shift);
+  BAR(history, steel.menegotto_pinto.eps_largest);
+  BAR(history, steel.menegotto_pinto.eps_smallest);
+#undef BAR
+#define OTHER(field) add(#field, [](State& s) { return &s.field; })
+  OTHER(contact.stored);
+  OTHER(contact.travel);
+  OTHER(contact.skin);
+  OTHER(contact.pairs[0].start);
+  OTHER(contact.pairs[0].stiffness);
+  OTHER(contact.pairs[0].stretch.y);
+  OTHER(rigid.touch[0].offset);
+  OTHER(rigid.touch[0].stretch.x);
+  OTHER(rigid.body[1].u.x);
+  OTHER(rigid.body[1].v.z);
+  OTHER(rigid.body[1].force.z);
+  OTHER(rigid.body[1].impulse.z);
+  OTHER(reaction[0]);
+  OTHER(prescribed_velocity[2]);
+  OTHER(paths[0].turned_at);
+  OTHER(paths[0].velocity);
+  OTHER(paths[0].acceleration);
+  OTHER(paths[0].toward);
+  OTHER(stage_start[0]);
+  OTHER(ledger.work_supports);
+  OTHER(ledger.work_forces);
+  OTHER(ledger.work_gravity);
+  OTHER(ledger.viscous);
+  OTHER(ledger.mass_damping);
+  OTHER(ledger.local_damping);
+  OTHER(ledger.contact_friction);
+  OTHER(ledger.absorbed);
+  OTHER(ledger.start);
+  OTHER(ledger.kinetic_before);
+  OTHER(ledger.absolute_work);
+  OTHER(time);
+#undef OTHER
+  return all;
+}
+
+/// What the guards say within ten steps of the planting.
+std::optional<sim::Trouble> guard(Stepper& x) {
+  sim::Guards const guards(x.m);
+  for (long i = 0; i < sim::Guards::interval; ++i) {
+    x.advance();
+    if (auto found = guards.after_step(x.m, x.s)) return found;
+  }
+  return std::nullopt;
+}
+
+class NotFinite : public testing::TestWithParam<Plant> {};
+
+// Requirement: a number that is not finite, in whatever field of the state, is found within ten steps and its
+// place is named. Fields that each step computes anew may lose it instead: then nothing has changed.
+TEST_P(NotFinite, is_found_within_ten_steps) {
+  auto const x = scene();
+  ASSERT_FALSE(sim::Guards(x->m).look_everywhere(x->m, x->s));
+  double* const number = GetParam().number(x->s);
+  *number = GetParam().name[1] == '_' ? infinity : nan; // of a node or any other
+  auto const found = guard(*x);
+  if (found) {
+    EXPECT_EQ(found->kind, "not_finite");
+    EXPECT_FALSE(sim::describe(found->spot).empty());
+    EXPECT_FALSE(found->cause.empty() || found->cure.empty());
+  } else {
+    auto const untouched = scene();
+    untouched->advance(sim::Guards::interval);
+    EXPECT_FALSE(sim::Guards(x->m).look_everywhere(x->m, x->s));
+    EXPECT_EQ(sim::state_hash(x->m, x->s), sim::state_hash(untouched->m, untouched->s));
+    RecordProperty("computed_anew", GetParam().name);
+  }
+}
+std::string name_of(testing::TestParamInfo<Plant> const& info) {
+  std::string name = info.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(AnyField, NotFinite, testing::ValuesIn(all_fields()), name_of);
+
+// Requirement: the tet that is named is the one where the number stood, or one beside it, although the number
+// has spread in the same step.
+TEST(Guards, name_the_tet_where_it_began) {
+  for (int const tet : {3, 40, 77}) {
+    auto const x = scene();
+    x->s.u[16 * static_cast<std::size_t>(tet) + 5] = nan;
+    auto const found = guard(*x);
+    ASSERT_TRUE(found);
+    ASSERT_TRUE(found->spot.has_place);
+    auto const c = mesh::corners(x->m.mesh, tet);
+    EXPECT_LT(norm(found->spot.at - 0.25 * (c[0] + c[1] + c[2] + c[3])), 0.06)
+        << found->spot.tet; // half a cell
+    auto const text = sim::describe(*found);
+    for (char const* part : {"tet ", " of group ", " at (", ") m, t = ", "Likely cause: ", "Cure: "})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+}
+
+// Requirement: a joint's history and a bar's are named by their own ids.
+TEST(Guards, name_joints_and_bars) {
+  auto const x = scene();
+  auto const j = first_damaged(x->s);
+  x->s.joint_history[j].time_of_failure = nan;
+  auto spot = sim::find_non_finite_memory(x->m, x->s);
+  ASSERT_TRUE(spot);
+  EXPECT_EQ(sim::describe(*spot).find("the history of joint " + std::to_string(j) + " between tets "), 0u);
+  x->s.joint_history[j].time_of_failure = 0;
+  x->s.bars.account[2].dowel = nan;
+  spot = sim::find_non_finite_memory(x->m, x->s);
+  ASSERT_TRUE(spot);
+  EXPECT_NE(sim::describe(*spot).find("of joint 2 of bar `bar`, "), std::string::npos)
+      << sim::describe(*spot);
+  EXPECT_EQ(spot->group, "bar");
+}
+
+/// Moves one corner of a tet through the opposite face.
+void turn_inside_out(Stepper& x, int tet) {
+  auto const corners = mesh::corners(x.m.mesh, tet);
+  Vec3 const opposite = (1.0 / 3) * (corners[1] + corners[2] + corners[3]);
+  for (int r = 0; r < 3; ++r)
+    x.s.u[16 * static_cast<std::size_t>(tet) + r] = 1.5 * (opposite - corners[0])[r];
+}
+
+// Requirement: a tet that is turned inside out is named at the next reading of the energies, by either law.
+TEST(Guards, name_a_tet_that_is_inside_out) {
+  for (auto law : {model::TetLaw::hyperelastic, model::TetLaw::paper}) {
+    auto c = tie_case({4, 1, 1}, 1, 1);
+    c.concretes[0].tet_law = law;
+    Stepper x(c);
+    turn_inside_out(x, 7);
+    sim::Monitor monitor(x.m);
+    auto found = sim::inverted_tet(x.m, x.s);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->spot.tet, x.m.mesh.input_id[7]);
+    EXPECT_NE(found->what.find("volume is -0.5 of"), std::string::npos) << found->what;
+    x.e = step::read_stored(x.m, x.s);
+    found = monitor.take(x.e, x.m, x.s);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->kind, "inverted_tet");
+  }
+}
+
+// Requirement: a node faster than sound in the concrete ends the run; a fast one that is slower does not.
+TEST(Guards, name_a_runaway) {
+  auto speed = [](double v) {
+    auto x = std::make_unique<Stepper>(tie_case({4, 1, 1}, 1, 1));
+    x->s.v[16 * 11] = v;
+    x->s.ledger.kinetic_before = 1e9;
+    x->s.step = sim::Guards::interval;
+    return sim::Guards(x->m).after_step(x->m, x->s);
+  };
+  EXPECT_FALSE(speed(3000));
+  auto const found = speed(4000);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, "runaway");
+  EXPECT_NE(found->what.find("4000 m/s"), std::string::npos) << found->what;
+}
+
+// Requirement: a time step that is too large ends in a failed run that names a place; run.json has the parts,
+// and the last frame shows the fields as they were.
+TEST(Guards, leave_a_picture_of_a_failed_run) {
+  output::testing::TemporaryFolder const folder;
+  auto c = tie_case({4, 1, 1}, 1, 1);
+  c.run.dt = 2e-4;
+  c.output.frames = 1;
+  sim::RunOptions o;
+  o.out = folder / "run", o.quiet = true, o.threads = 1;
+  auto const result = sim::run_case(c, o);
+  EXPECT_EQ(result.status, "failed");
+  auto const j = nlohmann::json::parse(output::testing::read_bytes(folder / "run/run.json"));
+  EXPECT_EQ(j["status"], "failed");
+  EXPECT_EQ(j["reason"], result.reason);
+  auto const& failure = j["failure"];
+  for (char const* key : {"kind", "what", "where", "tet", "group", "time", "step", "cause", "cure", "frame"})
+    EXPECT_TRUE(failure.contains(key)) << key;
+  std::string const frame = failure["frame"];
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / ("run/" + frame))) << frame;
+}
+
+} // namespace
+} // namespace fissura::support
