@@ -258,8 +258,8 @@ std::string name_of(testing::TestParamInfo<Plant> const& info) {
 }
 INSTANTIATE_TEST_SUITE_P(AnyField, NotFinite, testing::ValuesIn(all_fields()), name_of);
 
-// Requirement: the tet that is named is the one where the number stood, or one beside it, although the number
-// has spread in the same step.
+// Requirement: the tet that is named is the one where the number stood, or one to which a joint or a bar has
+// carried it in the same step: at most one cell away.
 TEST(Guards, name_the_tet_where_it_began) {
   for (int const tet : {3, 40, 77}) {
     auto const x = scene();
