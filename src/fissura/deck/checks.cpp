@@ -23,6 +23,21 @@ template <class... Specs> Names names_of(Specs const&... specs) {
   return names;
 }
 
+/// Those of the deck and those of its cages.
+std::vector<model::BarSpec const*> all_bars(model::Case const& c) {
+  std::vector<model::BarSpec const*> bars;
+  for (auto const& bar : c.bars) bars.push_back(&bar);
+  for (auto const& cage : c.cages)
+    for (auto const& bar : cage.made) bars.push_back(&bar);
+  return bars;
+}
+
+Names names_of_bars(model::Case const& c) {
+  Names names;
+  for (auto const* bar : all_bars(c)) names.push_back(bar->name);
+  return names;
+}
+
 template <class Spec> void name_them(std::vector<Spec>& specs, std::string_view section) {
   for (std::size_t i = 0; i < specs.size(); ++i)
     if (specs[i].name.empty()) specs[i].name = fmt::format("{}_{}", section, i + 1);
@@ -59,11 +74,23 @@ template <class... Specs> void check_unique(Reader& reader, Specs const&... spec
   (check_duplicates(reader, specs, seen), ...);
 }
 
+/// A bar of the deck may have the name of a cage's bar.
+void check_names_of_cage_bars(Reader& reader) {
+  for (auto const& bar : reader.the_case.bars)
+    for (auto const& cage : reader.the_case.cages)
+      for (auto const& made : cage.made)
+        if (made.name == bar.name)
+          reader.error(reader.place(&bar, "name"),
+                       fmt::format("the name \"{}\" is taken by the [[cage]] \"{}\"", bar.name, cage.name));
+}
+
 void check_names(Reader& reader) {
   auto const& c = reader.the_case;
   check_unique(reader, c.concretes);
   check_unique(reader, c.steels);
   check_unique(reader, c.bars);
+  check_unique(reader, c.cages);
+  check_names_of_cage_bars(reader);
   check_unique(reader, c.stages);
   check_unique(reader, c.supports, c.motions);
   check_unique(reader, c.forces, c.tractions);
@@ -94,8 +121,12 @@ void check_bars(Reader& reader) {
       reader.error(reader.place(&bar, "curve"),
                    "`curve` names a curve of a mesh file, and this mesh is made of boxes: give `points`");
   }
+  for (auto const& cage : c.cages) {
+    check_reference(reader, &cage, "steel", cage.steel, steels, "[[steel]]");
+    check_reference(reader, &cage, "stirrup_steel", cage.stirrup_steel, steels, "[[steel]]");
+  }
   auto const has_f_c = [&](auto const& m) { return m.f_c > 0 || !reader.good(&m, {"f_c"}); };
-  if (!c.bars.empty() && !c.concretes.empty() &&
+  if ((!c.bars.empty() || !c.cages.empty()) && !c.concretes.empty() &&
       std::none_of(c.concretes.begin(), c.concretes.end(), has_f_c))
     reader.error(c.concretes.front().place,
                  "a material with bars needs `f_c`: bond and dowel follow from it");
@@ -103,9 +134,10 @@ void check_bars(Reader& reader) {
 
 void check_bar_gauge(Reader& reader, model::GaugeSpec const& gauge) {
   auto const& c = reader.the_case;
-  check_reference(reader, &gauge, "bar", gauge.bar, names_of(c.bars), "[[bar]]");
-  for (auto const& bar : c.bars)
-    if (bar.name == gauge.bar && gauge.copy >= bar.count && reader.good(&bar, {"count"}))
+  check_reference(reader, &gauge, "bar", gauge.bar, names_of_bars(c), "[[bar]]");
+  for (auto const* pointer : all_bars(c))
+    if (auto const& bar = *pointer;
+        bar.name == gauge.bar && gauge.copy >= bar.count && reader.good(&bar, {"count"}))
       reader.error(reader.place(&gauge, "copy"),
                    fmt::format("`copy` = {}: the bar \"{}\" has {} copies, numbered from 0", gauge.copy,
                                bar.name, bar.count));
@@ -218,6 +250,7 @@ void check_duration(Reader& reader) {
 void name_the_unnamed(model::Case& c) {
   name_them(c.concretes, "concrete");
   name_them(c.bars, "bar");
+  name_them(c.cages, "cage");
   name_them(c.supports, "support");
   name_them(c.motions, "motion");
   name_them(c.forces, "force");

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "fissura/deck/cages.hpp"
 #include "fissura/deck/checks.hpp"
 #include "fissura/deck/reader.hpp"
 #include "fissura/deck/scan.hpp"
@@ -48,8 +49,10 @@ model::Case read_case_text(std::string_view text, std::string const& name,
   apply_overrides(reader, root, overrides);
   read_sections(reader, root);
   name_the_unnamed(result); // before the checks: a name given here may be taken
+  make_cages(reader);
   check_case(reader);
   reader.throw_findings();
+  hand_over_cages(result);
   return result;
 }
 

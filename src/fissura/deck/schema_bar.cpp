@@ -1,8 +1,10 @@
 // [[bar]] and [bars].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "fissura/deck/cages.hpp"
 #include "fissura/deck/fields.hpp"
 #include "fissura/units/decimal.hpp"
 
@@ -62,6 +64,11 @@ Section bar_section() {
                            "A reinforcing bar, or several equal ones: a polyline embedded in the mesh. A "
                            "stirrup is a closed one.");
   s.finish = finish_bar;
+  // The bars of cages come last; the echo holds their cages.
+  s.count = [](model::Case const& c) {
+    return static_cast<std::size_t>(
+        std::count_if(c.bars.begin(), c.bars.end(), [](BarSpec const& b) { return b.cage.empty(); }));
+  };
   Fields<BarSpec> f(s.keys);
   f.name("name", &BarSpec::name, "Gauges refer to it.").default_is("`bar_1`, `bar_2`, ...");
   f.name("steel", &BarSpec::steel, "Name of its [[steel]].").required();
@@ -110,7 +117,7 @@ Section bars_section() {
 } // namespace
 
 std::vector<Section> bar_sections() {
-  return {bar_section(), bars_section()};
+  return {bar_section(), cage_section(), bars_section()};
 }
 
 } // namespace fissura::deck

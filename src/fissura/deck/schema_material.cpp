@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "fissura/deck/fields.hpp"
+#include "fissura/model/presets.hpp"
 #include "fissura/units/decimal.hpp"
 
 namespace fissura::deck {
@@ -17,12 +18,15 @@ using units::Dimension;
 
 constexpr double default_penalty = 20; ///< times E
 
+bool is_multiple(Node const& n) {
+  return n.kind == Node::Kind::number || n.kind == Node::Kind::integer;
+}
+
+/// A multiple of E is multiplied by it in finish_concrete, once a preset has had its say.
 void read_penalty(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
-  bool const is_multiple = n.kind == Node::Kind::number || n.kind == Node::Kind::integer;
   Wanted wanted(k);
-  wanted.dimension = is_multiple ? Dimension::none : Dimension::pressure;
-  double const value = read_quantity(r, n, wanted).value_or(default_penalty);
-  c.penalty = is_multiple ? value * c.E : value;
+  wanted.dimension = is_multiple(n) ? Dimension::none : Dimension::pressure;
+  c.penalty = read_quantity(r, n, wanted).value_or(default_penalty);
 }
 
 void read_h(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
@@ -67,18 +71,95 @@ void check_strengths(Reader& reader, Node const& table, ConcreteSpec const& c) {
                                                       units::from_si(c.f_c, Dimension::pressure)));
 }
 
+/// Fills in what the deck leaves to the preset.
+void apply_preset(Reader& reader, Node const& table, ConcreteSpec& c) {
+  if (!reader.good(&c, {"preset", "f_c", "f_ck"})) return;
+  auto const range = model::preset_range(c.preset);
+  auto const name = model::preset_name(c.preset);
+  if (c.f_c <= 0)
+    return reader.error(table,
+                        fmt::format("preset = \"{}\" needs `f_c`, the mean strength, or `f_ck`, that of the "
+                                    "class",
+                                    name));
+  double const f_ck = c.f_c - model::strength_margin;
+  auto const pressure = [](double x) { return units::from_si(x, Dimension::pressure); };
+  if (f_ck < range.least * (1 - 1e-9) || f_ck > range.most * (1 + 1e-9))
+    return reader.error(
+        reader.place(&c, reader.given(&c, "f_ck") ? "f_ck" : "f_c"),
+        fmt::format("preset = \"{}\" covers f_ck = {} to {}, that is f_c = f_ck + 8 MPa = {} to {}; "
+                    "give `E`, `f_t` and `G_f` without a preset",
+                    name, pressure(range.least), pressure(range.most),
+                    pressure(range.least + model::strength_margin),
+                    pressure(range.most + model::strength_margin)));
+  auto const values = model::preset_values(c.preset, c.f_c);
+  if (!reader.given(&c, "E")) c.E = values.E.value;
+  if (!reader.given(&c, "f_t")) c.f_t = values.f_t.value;
+  if (!reader.given(&c, "G_f")) c.G_f = values.G_f.value;
+}
+
 void finish_concrete(Reader& reader, Node const& table, void* record) {
   auto& c = *static_cast<ConcreteSpec*>(record);
-  if (!reader.given(record, "penalty")) c.penalty = default_penalty * c.E;
+  if (c.preset != model::ConcretePreset::none)
+    apply_preset(reader, table, c);
+  else if (!reader.given(record, "E"))
+    reader.error(table,
+                 "[[concrete]] needs `E`: a pressure; or preset = \"mc2010\", which takes it from `f_c`");
+  Node const* penalty = table.find("penalty");
+  if (!penalty)
+    c.penalty = default_penalty * c.E;
+  else if (is_multiple(*penalty))
+    c.penalty *= c.E;
+  if (reader.given(record, "f_ck") && reader.given(record, "f_c"))
+    reader.error(reader.place(record, "f_ck"),
+                 "give either `f_c`, the mean strength, or `f_ck`, that of the class: f_c = f_ck + 8 MPa");
   check_strengths(reader, table, c);
 }
 
-void add_elasticity(Fields<ConcreteSpec>& f) {
+/// The echo says which values a preset stands behind.
+std::string remark(ConcreteSpec const& c, double value, model::PresetValue model::PresetValues::*which) {
+  if (c.preset == model::ConcretePreset::none) return {};
+  auto const preset = model::preset_values(c.preset, c.f_c).*which;
+  return value == preset.value ? fmt::format("  # {}: {}", model::preset_name(c.preset), preset.formula) : "";
+}
+
+/// Adds the remark to the key just added.
+void remarked(std::vector<Key>& keys, double ConcreteSpec::*field,
+              model::PresetValue model::PresetValues::*which) {
+  keys.back().write = [field, which, write = keys.back().write](void const* record) -> Written {
+    auto const& c = *static_cast<ConcreteSpec const*>(record);
+    auto text = write(record);
+    if (text) *text += remark(c, c.*field, which);
+    return text;
+  };
+}
+
+void add_preset(Fields<ConcreteSpec>& f) {
+  f.word("preset", &ConcreteSpec::preset,
+         {{"none", model::ConcretePreset::none},
+          {"mc2010", model::ConcretePreset::mc2010},
+          {"ec2", model::ConcretePreset::ec2}},
+         "The code that gives E, f_t and G_f from f_c where they are left out: fib Model Code 2010, or "
+         "Eurocode 2 (G_f is that of MC2010). `fissura check` prints values and formulas; see materials.md.");
+  f.custom(
+       "f_ck", "a pressure", "Characteristic strength, as in the name of the class: f_c = f_ck + 8 MPa.",
+       [](Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
+         c.f_c = read_quantity(r, n, k).value_or(0) + model::strength_margin;
+       },
+       [](ConcreteSpec const&) -> Written { return std::nullopt; })
+      .of(Dimension::pressure)
+      .positive()
+      .default_is("f_c - 8 MPa");
+}
+
+void add_elasticity(Fields<ConcreteSpec>& f, std::vector<Key>& keys) {
   f.name("name", &ConcreteSpec::name, "Names the material in the log.")
       .default_is("`concrete_1`, `concrete_2`, ...");
   f.texts("groups", &ConcreteSpec::groups, "Volume groups made of it.")
       .default_is("all groups that no other material names");
-  f.quantity("E", &ConcreteSpec::E, Dimension::pressure, "Young's modulus.").positive().required();
+  f.quantity("E", &ConcreteSpec::E, Dimension::pressure, "Young's modulus.")
+      .positive()
+      .default_is("required without `preset`");
+  remarked(keys, &ConcreteSpec::E, &model::PresetValues::E);
   f.number("nu", &ConcreteSpec::nu, "Poisson's ratio.").range({-1, 0.5, true, true});
   f.quantity("density", &ConcreteSpec::density, Dimension::density, "Mass density.").positive();
   f.number(
@@ -93,16 +174,18 @@ void add_elasticity(Fields<ConcreteSpec>& f) {
       .not_negative();
 }
 
-void add_strength(Fields<ConcreteSpec>& f) {
+void add_strength(Fields<ConcreteSpec>& f, std::vector<Key>& keys) {
   f.quantity("f_t", &ConcreteSpec::f_t, Dimension::pressure,
              "Tensile strength; required where joints may crack.")
       .not_negative();
+  remarked(keys, &ConcreteSpec::f_t, &model::PresetValues::f_t);
   f.quantity("f_c", &ConcreteSpec::f_c, Dimension::pressure,
-             "Compressive strength: cohesion, bond and dowel follow from it.")
+             "Compressive strength, mean: cohesion, bond and dowel follow from it.")
       .not_negative();
   f.quantity("G_f", &ConcreteSpec::G_f, Dimension::energy_per_area,
              "Fracture energy, mode I; 0: 73 f_c^0.18 N/m with f_c in MPa (fib Model Code 2010).")
       .not_negative();
+  remarked(keys, &ConcreteSpec::G_f, &model::PresetValues::G_f);
   f.quantity("G_s", &ConcreteSpec::G_s, Dimension::energy_per_area,
              "Fracture energy, mode II; 0: the same as G_f.")
       .not_negative();
@@ -155,8 +238,9 @@ Section concrete_section() {
       "A material of the tetrahedra and of the joints between them: concrete, or elastic plates.");
   s.finish = finish_concrete;
   Fields<ConcreteSpec> f(s.keys);
-  add_elasticity(f);
-  add_strength(f);
+  add_preset(f);
+  add_elasticity(f, s.keys);
+  add_strength(f, s.keys);
   add_joints(f);
   return s;
 }

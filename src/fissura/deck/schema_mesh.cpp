@@ -32,8 +32,8 @@ void check_file(Reader& reader, MeshSpec& mesh) {
   auto const place = reader.place(&mesh, "file");
   std::string const written = mesh.file;
   auto const extension = std::filesystem::path(written).extension();
-  if (extension != ".msh" && extension != ".geo")
-    return reader.error(place, fmt::format("the mesh file \"{}\" must end in .msh or .geo", written));
+  if (extension != ".msh" && extension != ".geo" && extension != ".inp")
+    return reader.error(place, fmt::format("the mesh file \"{}\" must end in .msh, .geo or .inp", written));
   mesh.file = resolve_file(reader, place, written, mesh.allow_outside, "mesh file", "[mesh]");
 }
 
@@ -55,15 +55,17 @@ void finish_mesh(Reader& reader, Node const& table, void* record) {
 }
 
 Section mesh_section() {
-  Section s = single_section("mesh", &model::Case::mesh,
-                             "The tetrahedral mesh: a gmsh file, or boxes built in. Groups of the mesh are "
-                             "named in materials and selectors.");
+  Section s = single_section(
+      "mesh", &model::Case::mesh,
+      "The tetrahedral mesh: a file of gmsh, Abaqus or CalculiX, or boxes built in. Groups of the mesh are "
+      "named in materials and selectors.");
   s.finish = finish_mesh;
   auto const has_file = [](MeshSpec const& m) { return !m.file.empty(); };
   Fields<MeshSpec> f(s.keys);
   f.text("file", &MeshSpec::file,
-         "A gmsh mesh (.msh 2.2 or 4.1) or geometry (.geo), relative to the folder of the deck. The echo "
-         "names it by its full path.")
+         "A gmsh mesh (.msh 2.2 or 4.1) or geometry (.geo), or an Abaqus or CalculiX mesh (.inp: C3D4, T3D2, "
+         "sets), "
+         "relative to the folder of the deck. The echo names it by its full path.")
       .default_is("none: boxes")
       .echoed_if(has_file);
   f.custom("length_unit", "a unit of length, e.g. `mm`",

@@ -8,7 +8,7 @@ using state::Scratch;
 using state::State;
 
 double value_at(model::TimedCurve const& c, State const& s, double t) {
-  if (c.stage < 0) return value_at(c.curve, t);
+  if (c.stage < 0) return value_at(c.curve, t - c.start);
   if (c.stage > s.stage) return 0;
   return value_at(c.curve, t - s.stage_start[c.stage]);
 }

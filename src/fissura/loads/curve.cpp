@@ -52,7 +52,7 @@ double value_at(Curve const& c, double t) {
   case Curve::Kind::constant:
     return c.value;
   case Curve::Kind::ramp:
-    return c.value * (c.over > 0 ? smooth_step(t / c.over) : 1);
+    return c.from + (c.value - c.from) * (c.over > 0 ? smooth_step(t / c.over) : 1);
   case Curve::Kind::table:
     return table_value(c, t);
   case Curve::Kind::cycles:

@@ -59,6 +59,7 @@ struct Curve {
   Kind kind = Kind::constant;
   double value = 0;           ///< constant, and the plateau of a ramp
   double over = 0;            ///< ramp: rise time [s], smooth (zero slope and curvature at both ends)
+  double from = 0;            ///< ramp: where it sets out; other than 0 only for a load changed in mid-run
   std::vector<double> times;  ///< table: times [s], increasing; linear between
   std::vector<double> values; ///< table: values
   std::vector<double> slopes; ///< table: if not empty, the slopes at its rows: cubic between, straight beyond
@@ -76,15 +77,18 @@ enum class ShearStrength { mohr_coulomb, constant };
 enum class ElementSize { volume, joint_edge, given }; ///< the h of o_p = 2 h f_t/p
 enum class SofteningRange { exact, y3d };
 enum class RateFactor { none, mc2010 }; ///< how strengths grow with the strain rate
+/// The code whose formulas give what the deck leaves out (model/presets.hpp).
+enum class ConcretePreset { none, mc2010, ec2 };
 
 struct ConcreteSpec {
   Place place;
   std::string name;
   std::vector<std::string> groups; ///< volume groups; empty = all groups no other material names
+  ConcretePreset preset = ConcretePreset::none;
   double E = 0, nu = 0.2, density = 2500;
   double density_factor = 1; ///< mass scaling
   double f_t = 0;            ///< tensile strength [Pa]
-  double f_c = 0;            ///< compressive strength [Pa]
+  double f_c = 0;            ///< compressive strength, mean [Pa]
   double G_f = 0;            ///< mode I [J/m2]; 0 = 73 f_cm^0.18 (fib MC2010) with f_cm = f_c
   double G_s = 0;            ///< mode II; 0 = G_f
   TetLaw tet_law = TetLaw::hyperelastic;
@@ -135,7 +139,37 @@ struct BarSpec {
   Vec3 spacing;              ///< offset from one copy to the next
   double initial_strain = 0; ///< imposed elongation (prestress > 0 stretches the steel)
   CrackSpacing crack_spacing = CrackSpacing::automatic;
-  double l_cr = 0; ///< [m] for CrackSpacing::given
+  double l_cr = 0;  ///< [m] for CrackSpacing::given
+  std::string cage; ///< the [[cage]] that made it; empty for a bar of the deck
+};
+
+/// "4 x 12 mm"
+struct BarLayer {
+  int count = 0;
+  double diameter = 0; ///< [m]
+};
+/// "8 mm / 150 mm"
+struct StirrupSpec {
+  double diameter = 0, spacing = 0; ///< [m]
+};
+/// Longitudinal bars and stirrups of a straight member with a rectangular section (model/cage.hpp).
+struct CageSpec {
+  enum class Kind { beam, column };
+  Place place;
+  std::string name;
+  Kind kind = Kind::beam;
+  std::string steel, stirrup_steel; ///< stirrups: empty = the same
+  Vec3 from, to;                    ///< opposite corners of the concrete member [m]
+  int axis = -1;                    ///< of the member; -1 = its longest side
+  int up = -1;                      ///< axis that points to the top of a beam; -1 = z, y for members along z
+  double cover = 0;                 ///< concrete over the outermost steel [m]
+  std::array<double, 2> end_cover{-1, -1}; ///< at the two ends of the member [m]; < 0 = cover
+  double clear = -1; ///< least clear distance between parallel bars [m]; < 0 = 20 mm, or the larger diameter
+  std::vector<BarLayer> bottom, top; ///< beam: from the face inwards
+  BarLayer sides;                    ///< beam: on each side, between bottom and top
+  BarLayer bars;                     ///< column: in all, around the section
+  StirrupSpec stirrups;
+  std::vector<BarSpec> made; ///< what the cage stands for, until it is moved to Case::bars
 };
 enum class BarBetweenCracks { slip_only, elastic };
 struct BarSettings {
@@ -333,7 +367,8 @@ struct Case {
   std::vector<JointRegionSpec> joint_regions;
   std::vector<SteelSpec> steels;
   BarSettings bar_settings;
-  std::vector<BarSpec> bars;
+  std::vector<BarSpec> bars; ///< those of the cages last
+  std::vector<CageSpec> cages;
   std::vector<SupportSpec> supports;
   std::vector<MotionSpec> motions;
   std::vector<ForceSpec> forces;

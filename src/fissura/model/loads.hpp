@@ -13,6 +13,7 @@ namespace fissura::model {
 struct TimedCurve {
   Curve curve;
   int stage = -1;
+  double start = 0; ///< of a curve that begins in mid-run [s]; with stage = -1
 };
 
 /// One component of a set of nodes that follows a prescribed motion (a support: none) from the start of its

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -10,9 +11,11 @@
 #include "fissura/mesh/box.hpp"
 #include "fissura/mesh/check.hpp"
 #include "fissura/mesh/gmsh_reader.hpp"
+#include "fissura/mesh/inp_reader.hpp"
 #include "fissura/mesh/renumber.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/make_joints.hpp"
+#include "fissura/model/presets.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/stable_step.hpp"
 
@@ -24,7 +27,9 @@ namespace {
 
 mesh::Mesh make_mesh(model::MeshSpec const& spec) {
   if (!spec.file.empty()) {
-    auto mesh = mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
+    auto mesh = std::filesystem::path(spec.file).extension() == ".inp"
+                    ? mesh::read_inp(spec.file, spec.length_unit)
+                    : mesh::read_gmsh(spec.file, spec.length_unit, spec.element_size);
     if (spec.separate) mesh.tet_body = mesh::connected_bodies(mesh, mesh::make_adjacency(mesh));
     return mesh;
   }
@@ -53,6 +58,7 @@ void note_records(Model const& m, BuildReport& report) {
 
 void note_assumptions(Model const& m, BuildReport& report) {
   for (auto const& c : m.source.concretes) {
+    for (auto& note : model::preset_notes(c)) report.notes.push_back(std::move(note));
     if (!c.joints || !c.crackable) continue;
     if (c.G_f == 0)
       report.notes.push_back(fmt::format("{}: G_f = 73 f_cm^0.18 = {:.4g} N/m (fib MC2010, f_cm = f_c)",

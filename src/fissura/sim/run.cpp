@@ -239,7 +239,7 @@ class Run::Impl {
   bool loads_change() const {
     auto changes = [&](model::TimedCurve const& c) {
       if (c.stage > s_.stage) return false;
-      return s_.time - (c.stage < 0 ? 0 : s_.stage_start[c.stage]) < loads::length_of(c.curve);
+      return s_.time - (c.stage < 0 ? c.start : s_.stage_start[c.stage]) < loads::length_of(c.curve);
     };
     bool any = m_.gravity.on && changes(m_.gravity.curve);
     for (std::size_t i = 0; i < m_.prescribed.size(); ++i)

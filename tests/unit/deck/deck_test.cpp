@@ -552,7 +552,7 @@ TEST_F(DeckFiles, MeshFileOutsideOrMissing) {
             std::string::npos);
   EXPECT_NE(refusal("file = \"none.msh\"\nlength_unit = \"m\"").find("there is no mesh file \"none.msh\""),
             std::string::npos);
-  EXPECT_NE(refusal("file = \"case.toml\"\nlength_unit = \"m\"").find("must end in .msh or .geo"),
+  EXPECT_NE(refusal("file = \"case.toml\"\nlength_unit = \"m\"").find("must end in .msh, .geo or .inp"),
             std::string::npos);
   EXPECT_NE(refusal("file = \"beam.msh\"").find("needs `length_unit`"), std::string::npos);
 }

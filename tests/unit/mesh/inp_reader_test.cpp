@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "fissura/core/error.hpp"
+#include "fissura/geometry/tet.hpp"
+#include "fissura/mesh/check.hpp"
+#include "fissura/mesh/inp_reader.hpp"
+
+namespace fissura::mesh {
+namespace {
+
+/// A file that lives as long as its test.
+class Written {
+ public:
+  explicit Written(std::string const& text)
+      : path(std::filesystem::temp_directory_path() / ("fissura_" + std::to_string(getpid()) + ".inp")) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  ~Written() { std::filesystem::remove(path); }
+  std::filesystem::path path;
+};
+
+Mesh read(std::string const& text, double unit = 1) {
+  Written const file(text);
+  return read_inp(file.path, unit);
+}
+
+std::string refusal(std::string const& text) {
+  try {
+    read(text);
+  } catch (core::InputError const& e) {
+    std::string const what = e.what();
+    return what.substr(what.find(".inp"));
+  }
+  return "accepted";
+}
+
+/// Two tets on one triangle, the second turned inside out, a bar of two elements, sets of every kind.
+std::string const two_tets = R"(*Heading
+** a comment
+ made by hand
+*NODE, NSET=Nall
+1, 0, 0, 0
+2, 10.0, 0., 0.
+3, 0, 1.0E+1, 0
+  4, 0, 0, +10
+5, 0, 0, -1.0D1
+9, 77, 0, 0
+*Element, type=C3D4, Elset=Volume1
+21, 1, 2, 3, 4
+22, 1, 2, 3,
+ 5
+*ELEMENT, TYPE=T3D2, ELSET=bar
+31, 1, 2
+32, 2, 9
+*ELSET, ELSET=concrete
+21
+*ELSET, ELSET=rest
+22
+*ELSET, ELSET=all_bars
+bar
+*NSET, NSET="Tip"
+4
+*NSET, NSET=some, GENERATE
+1, 9, 2
+*SURFACE, NAME=top, TYPE=ELEMENT
+concrete, S3
+22, S2
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210000., 0.3
+*STEP
+*BOUNDARY
+Nall, 1, 3
+*END STEP
+)";
+
+std::string with(std::string const& old_text, std::string const& new_text) {
+  std::string text = two_tets;
+  auto const at = text.find(old_text);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, old_text.size(), new_text);
+}
+
+// Requirement: nodes come in metres, tets turn positive with the numbers of the file, and sets become groups
+// of their kind with the names of the file; all else is left alone.
+TEST(ReadInp, elements_and_sets) {
+  Mesh const m = read(two_tets, 1e-3);
+  EXPECT_NO_THROW(check_mesh(m));
+  ASSERT_EQ(m.points.size(), 6u);
+  EXPECT_NEAR(m.points[2].y, 0.01, 1e-17);
+  EXPECT_NEAR(m.points[4].z, -0.01, 1e-17);
+  ASSERT_EQ(m.tets.size(), 2u);
+  for (int t = 0; t < 2; ++t) EXPECT_NEAR(geometry::volume(corners(m, t)), 1e-6 / 6, 1e-18);
+  EXPECT_EQ(m.input_id, (std::vector<int>{21, 22}));
+  EXPECT_EQ(m.volume_groups, (std::vector<std::string>{"concrete", "rest"}))
+      << "*ELSET before the element line";
+  EXPECT_EQ(m.tet_group, (std::vector<int>{0, 1}));
+  ASSERT_EQ(m.line_groups.size(), 2u);
+  EXPECT_EQ(m.line_groups[0].name, "bar");
+  EXPECT_EQ(m.line_groups[0].segments, (std::vector<std::array<int, 2>>{{0, 1}, {1, 5}}));
+  EXPECT_EQ(m.line_groups[1].name, "all_bars");
+  EXPECT_EQ(m.line_groups[1].segments, m.line_groups[0].segments);
+  ASSERT_EQ(m.point_groups.size(), 3u);
+  EXPECT_EQ(m.point_groups[1].name, "Tip");
+  EXPECT_EQ(m.point_groups[1].points, std::vector<int>{3});
+  EXPECT_EQ(m.point_groups[2].points, (std::vector<int>{0, 2, 4, 5})) << "every second number that exists";
+  ASSERT_EQ(m.face_groups.size(), 1u);
+  EXPECT_EQ(m.face_groups[0].triangles, (std::vector<std::array<int, 3>>{{1, 3, 2}, {0, 4, 1}}));
+}
+
+// Requirement: *SOLID SECTION decides which set is the material of a tet that is in several.
+TEST(ReadInp, sections_decide) {
+  std::string const all =
+      with("*NSET, NSET=\"Tip\"", "*ELSET, ELSET=Eall, GENERATE\n21, 22\n*NSET, NSET=\"Tip\"");
+  EXPECT_NE(refusal(all).find(
+                ".inp:12: error: tet 21 is in the element sets \"concrete\" and \"Eall\": a tet has one "
+                "material; name the sets of the materials in *SOLID SECTION"),
+            std::string::npos)
+      << refusal(all);
+  Mesh const m = read(
+      all + "*SOLID SECTION, ELSET=eall, MATERIAL=C30\n*SOLID SECTION, ELSET=bar, MATERIAL=B500\n0.0002\n");
+  EXPECT_EQ(m.volume_groups, std::vector<std::string>{"Eall"});
+  Mesh const part = read(two_tets + "*SOLID SECTION, ELSET=rest, MATERIAL=C30\n");
+  EXPECT_EQ(part.volume_groups, (std::vector<std::string>{"rest", "default"}));
+  EXPECT_EQ(part.tet_group, (std::vector<int>{1, 0}));
+}
+
+// Requirement: one part with one instance in an assembly is the same mesh as the flat file.
+TEST(ReadInp, one_part) {
+  std::string const part =
+      "*PART, NAME=P\n" +
+      two_tets.substr(two_tets.find("*NODE"), two_tets.find("*NSET, NSET=\"Tip\"") - two_tets.find("*NODE")) +
+      "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*NODE\n1, 5, 5, 5\n"
+      "*NSET, NSET=rp\n1\n*NSET, NSET=Tip, INSTANCE=I\n4\n*END ASSEMBLY\n";
+  Mesh const m = read(part);
+  EXPECT_EQ(m.tets, read(two_tets).tets);
+  ASSERT_EQ(m.point_groups.size(), 2u);
+  EXPECT_EQ(m.point_groups[1].points, std::vector<int>{3});
+}
+
+// Requirement: each fault is refused at its line with what was expected.
+TEST(ReadInp, refuses_with_the_line) {
+  struct Fault {
+    std::string old_text, new_text, expected;
+  };
+  for (auto const& f : std::vector<Fault>{
+           {"type=C3D4", "type=C3D10", ".inp:11: error: elements of type C3D10: only C3D4 (tetrahedra)"},
+           {", type=C3D4", "", ".inp:11: error: *ELEMENT without TYPE"},
+           {"22, 1, 2, 3,\n 5", "22, 1, 2, 3", ".inp:13: error: an element of 4 nodes has 5 numbers, not 4"},
+           {"21, 1, 2, 3, 4", "21, 1, 2, 3, 7",
+            ".inp:12: error: element 21 names node 7, which is not in the file"},
+           {"31, 1, 2", "21, 1, 2", ".inp:16: error: element 21 stands already in line 12"},
+           {"3, 0, 1.0E+1, 0", "2, 0, 10, 0", ".inp:7: error: node 2 stands already in line 6"},
+           {"3, 0, 1.0E+1, 0", "3, 0, nan, 0", ".inp:7: error: \"nan\" where a coordinate is expected"},
+           {"3, 0, 1.0E+1, 0", "3, 0, 1e999, 0", ".inp:7: error: \"1e999\" where a coordinate is expected"},
+           {"3, 0, 1.0E+1, 0", "99999999999, 0, 1, 0", "where a number from 1 is expected"},
+           {"3, 0, 1.0E+1, 0", "3, 0, 1, 0, 4, 5", "a node has a number and three coordinates, not 6 values"},
+           {"\nbar\n*NSET", "\nbars\n*NSET", ".inp:23: error: there is no element set \"bars\" above"},
+           {"\nbar\n*NSET", "\nall_bars\n*NSET", "there is no element set \"all_bars\" above"},
+           {"*ELSET, ELSET=rest\n22", "*ELSET, ELSET=rest\n23", "there is no element 23"},
+           {"22, S2", "22, S5", "a line of a *SURFACE is an element or a set of them, and a side"},
+           {"22, S2", "bar, S2", "element 31 has no side S2: it is no tet"},
+           {"*Heading", "*INCLUDE, INPUT=other.inp", ".inp:1: error: *INCLUDE is not known"},
+           {"*NODE, NSET=Nall", "*NODE, SYSTEM=C", "only rectangular coordinates"},
+           {"*MATERIAL, NAME=STEEL", "*PART, NAME=a\n*PART, NAME=b", "a second *PART"},
+           {"*MATERIAL, NAME=STEEL", "*INSTANCE, NAME=a, PART=b\n1., 0., 0.", "a moved *INSTANCE"},
+           {"GENERATE\n1, 9, 2", "GENERATE\n1", "GENERATE expects: first, last, step"},
+           {"GENERATE\n1, 9, 2", "GENERATE\n1, 9, 0", "where a number from 1 is expected"},
+           {"NSET=\"Tip\"", "NSET=", "*NSET needs a name"},
+       })
+    EXPECT_NE(refusal(with(f.old_text, f.new_text)).find(f.expected), std::string::npos)
+        << refusal(with(f.old_text, f.new_text)) << "\nexpected " << f.expected;
+  EXPECT_NE(refusal("*NODE\n1, 0, 0, 0\n").find("the file has no tets"), std::string::npos);
+  EXPECT_NE(refusal("").find("cannot be read (is it empty"), std::string::npos);
+}
+
+// Requirement: a set that names another one many times over is refused before it fills the memory.
+TEST(ReadInp, bounds_its_sets) {
+  std::string text = two_tets + "*NODE\n";
+  for (int i = 100; i < 10100; ++i) text += std::to_string(i) + ", 0, 0, 0\n";
+  text += "*NSET, NSET=s0, GENERATE\n100, 10099\n*NSET, NSET=s1\n";
+  for (int i = 0; i < 4000; ++i) text += "s0\n";
+  EXPECT_EQ(refusal(text), "accepted");
+  for (int i = 0; i < 2000; ++i) text += "s0\n";
+  EXPECT_NE(refusal(text).find("the sets of this file are too large"), std::string::npos);
+}
+
+// Requirement: whatever bytes are changed, the reader ends with a mesh or an input error.
+TEST(ReadInp, survives_changed_bytes) {
+  std::mt19937 random(7);
+  std::string const letters = "*,=0123456789-+.eE\n\"CSND";
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = two_tets;
+    for (int k = 0; k < 1 + i % 5; ++k) text[random() % text.size()] = letters[random() % letters.size()];
+    if (i % 7 == 0) text.resize(random() % text.size());
+    refusal(text); // anything but an input error ends the test
+  }
+}
+
+} // namespace
+} // namespace fissura::mesh
