@@ -1,0 +1,35 @@
+# Makes PAGE from SOURCE with npm, in BUILD; an empty PAGE where that cannot be done. Run as a script:
+# cmake -DSOURCE=... -DBUILD=... -DPAGE=... [-DNPM=... -DNODE=...] -P bundle_page.cmake
+file(MAKE_DIRECTORY ${BUILD})
+
+function(no_page why)
+  message(WARNING "no report page is built in: ${why}")
+  file(WRITE ${PAGE} "")
+endfunction()
+
+if(NOT NPM)
+  file(WRITE ${PAGE} "") # said when the build was configured
+  return()
+endif()
+
+# Packages are fetched once for each lock file.
+file(SHA256 ${SOURCE}/package-lock.json lock)
+set(stamp ${BUILD}/node_modules/.fissura-${lock})
+configure_file(${SOURCE}/package.json ${BUILD}/package.json COPYONLY)
+configure_file(${SOURCE}/package-lock.json ${BUILD}/package-lock.json COPYONLY)
+configure_file(${SOURCE}/build.mjs ${BUILD}/build.mjs COPYONLY)
+if(NOT EXISTS ${stamp})
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+                  WORKING_DIRECTORY ${BUILD} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said
+                  TIMEOUT 300)
+  if(failed)
+    no_page("`npm ci` failed (no network?): ${said}")
+    return()
+  endif()
+  file(TOUCH ${stamp})
+endif()
+execute_process(COMMAND ${NODE} build.mjs ${SOURCE}/src ${PAGE} WORKING_DIRECTORY ${BUILD}
+                RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(failed)
+  message(FATAL_ERROR "bundling the report page failed:\n${said}")
+endif()

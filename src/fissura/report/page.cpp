@@ -1,0 +1,62 @@
+#include "fissura/report/page.hpp"
+
+#include "fissura/core/error.hpp"
+
+namespace fissura::report {
+
+namespace {
+
+/// The text with the first `mark` replaced.
+void put(std::string& page, std::string_view mark, std::string const& text) {
+  std::size_t const at = page.find(mark);
+  if (at == std::string::npos)
+    throw core::Error(core::Failure::run, "the page built into this program has no " + std::string(mark));
+  page.replace(at, mark.size(), text);
+}
+
+} // namespace
+
+void require_page() {
+  if (page_template().empty())
+    throw core::Error(
+        core::Failure::io,
+        "this program was built without the report page: its parts (three.js, uPlot) come from npm. "
+        "Install nodejs and npm, and build again with `make build`");
+}
+
+std::string fill_page(std::string const& title, std::string const& numbers) {
+  require_page();
+  std::string page(page_template());
+  // From the end to the start: what is put in is never searched.
+  put(page, "@@NUMBERS@@", numbers);
+  put(page, "@@TITLE@@", escape_html(title));
+  return page;
+}
+
+std::string escape_html(std::string_view text) {
+  std::string out;
+  for (char const c : text) {
+    switch (c) {
+    case '&':
+      out += "&amp;";
+      break;
+    case '<':
+      out += "&lt;";
+      break;
+    case '>':
+      out += "&gt;";
+      break;
+    case '"':
+      out += "&quot;";
+      break;
+    case '\'':
+      out += "&#39;";
+      break;
+    default:
+      out += c;
+    }
+  }
+  return out;
+}
+
+} // namespace fissura::report

@@ -1,0 +1,21 @@
+#pragma once
+// The page itself: text, style and program bundled at build time (report/), and the place where the numbers
+// go.
+#include <string>
+#include <string_view>
+
+namespace fissura::report {
+
+/// The page as it was bundled into the program; empty where the build had no npm.
+std::string_view page_template();
+
+/// Throws core::Error(Failure::io) that says what is missing and what to do, if the program has no page.
+void require_page();
+
+/// The page with this title and these numbers (Blob::text()).
+std::string fill_page(std::string const& title, std::string const& numbers);
+
+/// & < > " ' as HTML writes them.
+std::string escape_html(std::string_view text);
+
+} // namespace fissura::report
