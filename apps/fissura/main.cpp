@@ -12,6 +12,7 @@
 #include "fissura/sim/check.hpp"
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/template_case.hpp"
+#include "look.hpp"
 
 namespace {
 
@@ -62,6 +63,8 @@ int main(int argc, char** argv) {
   run_command->add_option("--set", run_arguments.set, "Change the deck: key=value, repeatable")
       ->allow_extra_args(false);
   run_command->add_flag("--quiet", run_arguments.options.quiet, "Nothing on the terminal but errors");
+  bool no_report = false;
+  run_command->add_flag("--no-report", no_report, "Write no report page");
   run_command->add_flag("--force", run_arguments.options.force, "Overwrite an existing run folder");
 
   std::string deck;
@@ -83,13 +86,17 @@ int main(int argc, char** argv) {
   bench_command->add_option("--threads", bench.threads, "Threads (default 1)");
   bench_command->add_option("--steps", bench.steps, "Steps (default: about two seconds)");
 
+  fissura::app::LookCommands look(app, FISSURA_VERSION);
+
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& e) {
     return app.exit(e) == 0 ? 0 : 2; // --help and --version are no errors
   }
   try {
+    run_arguments.options.report = !no_report;
     if (*run_command) return run(run_arguments);
+    if (look.asked()) return look.run();
     if (*check_command) return check(deck, set);
     if (*new_command) {
       fmt::print("{}\n", fissura::sim::write_template(template_name, template_folder));

@@ -21,10 +21,11 @@ void pad(std::string& bytes) {
 
 } // namespace
 
-template <class T> void Blob::append(std::string const& name, char const* type, std::span<T const> values) {
+void Blob::append(std::string const& name, char const* type, std::span<std::byte const> bytes,
+                  std::size_t count) {
   pad(bytes_);
-  arrays_[name] = output::Json::array({type, bytes_.size(), values.size()});
-  bytes_.append(reinterpret_cast<char const*>(values.data()), values.size_bytes());
+  arrays_[name] = output::Json::array({type, bytes_.size(), count});
+  bytes_.append(reinterpret_cast<char const*>(bytes.data()), bytes.size());
 }
 
 double Blob::add_quantised(std::string const& name, std::span<float const> values) {

@@ -16,11 +16,21 @@ class Blob {
  public:
   output::Json meta = output::Json::object();
 
-  void add(std::string const& name, std::span<float const> values) { append(name, "f4", values); }
-  void add(std::string const& name, std::span<std::uint32_t const> values) { append(name, "u4", values); }
-  void add(std::string const& name, std::span<std::uint16_t const> values) { append(name, "u2", values); }
-  void add(std::string const& name, std::span<std::int16_t const> values) { append(name, "i2", values); }
-  void add(std::string const& name, std::span<std::uint8_t const> values) { append(name, "u1", values); }
+  void add(std::string const& name, std::span<float const> values) {
+    append(name, "f4", std::as_bytes(values), values.size());
+  }
+  void add(std::string const& name, std::span<std::uint32_t const> values) {
+    append(name, "u4", std::as_bytes(values), values.size());
+  }
+  void add(std::string const& name, std::span<std::uint16_t const> values) {
+    append(name, "u2", std::as_bytes(values), values.size());
+  }
+  void add(std::string const& name, std::span<std::int16_t const> values) {
+    append(name, "i2", std::as_bytes(values), values.size());
+  }
+  void add(std::string const& name, std::span<std::uint8_t const> values) {
+    append(name, "u1", std::as_bytes(values), values.size());
+  }
 
   /// Adds the values as 16-bit whole numbers and returns what one of them stands for: the largest magnitude
   /// over 32767. Values that are not finite become 0.
@@ -30,7 +40,7 @@ class Blob {
   std::string text() const;
 
  private:
-  template <class T> void append(std::string const& name, char const* type, std::span<T const> values);
+  void append(std::string const& name, char const* type, std::span<std::byte const> bytes, std::size_t count);
   output::Json arrays_ = output::Json::object();
   std::string bytes_;
 };

@@ -21,6 +21,7 @@
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/monitor.hpp"
 #include "fissura/sim/progress.hpp"
+#include "fissura/sim/report_writer.hpp"
 #include "fissura/sim/state_hash.hpp"
 #include "fissura/sim/stops.hpp"
 #include "fissura/step/advance.hpp"
@@ -62,7 +63,7 @@ void make_folder(std::string const& folder, bool force) {
                       fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
     for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd",
-                            "frames", "log.txt", "case.toml"})
+                            "frames", "log.txt", "case.toml", "report.html"})
       fs::remove_all(fs::path(folder) / old, ec);
   }
   fs::create_directories(folder, ec);
@@ -260,6 +261,7 @@ class Run::Impl {
   }
 
   void show_progress() {
+    report_page_.meanwhile(progress_.elapsed(), *log_);
     bool const terminal = ::isatty(STDOUT_FILENO) && !options_.quiet;
     if (!progress_.due(terminal ? 1 : 10)) return;
     double const done = s_.time / end_, left = progress_.eta(done);
@@ -297,6 +299,7 @@ class Run::Impl {
       log_->warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
                  "trusting the run",
                  100 * m_.source.run.residual_warn);
+    report_page_.at_end(*log_);
   }
 
   output::Json summary() const {
@@ -394,6 +397,7 @@ class Run::Impl {
   Progress progress_;
   double end_;
   Due history_due_, frame_due_;
+  ReportWriter report_page_{options_.out, options_.version, options_.report};
   std::unique_ptr<History> history_;
   std::unique_ptr<FieldWriter> fields_;
   step::EnergyBalance energy_;

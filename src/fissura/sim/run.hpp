@@ -24,7 +24,8 @@ struct RunOptions {
   double until = 0;    ///< > 0: stop at this time [s]
   double walltime = 0; ///< > 0: stop after so many seconds of wall time
   bool quiet = false;
-  bool force = false; ///< overwrite an existing run folder
+  bool force = false;  ///< overwrite an existing run folder
+  bool report = false; ///< write report.html, while the run goes on and at its end
 };
 
 struct RunResult {
