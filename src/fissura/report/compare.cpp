@@ -28,6 +28,7 @@ double interpolate(std::vector<double> const& times, std::vector<double> const& 
   auto const i = static_cast<std::size_t>(after - times.begin());
   if (i == 0) return values.front();
   if (i == times.size()) return values.back();
+  if (times[i] == t) return values[i];
   double const share = (t - times[i - 1]) / (times[i] - times[i - 1]);
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
@@ -58,7 +59,8 @@ ColumnDifference difference(History const& a, History const& b, Column const& fi
 /// Columns that belong to the case and not to the program.
 std::vector<std::string> gauges_of(RunFolder const& run) {
   std::vector<std::string> names;
-  for (auto const& g : describe_deck(run)["gauges"]) names.push_back(g["name"]);
+  output::Json const deck = describe_deck(run);
+  for (auto const& g : deck["gauges"]) names.push_back(g["name"]);
   std::erase_if(names, [&](auto const& n) { return !run.history.find(n); });
   if (!names.empty()) return names;
   for (auto const& c : run.history.columns)
