@@ -13,6 +13,7 @@
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/template_case.hpp"
 #include "look.hpp"
+#include "signals.hpp"
 
 namespace {
 
@@ -29,6 +30,8 @@ int run(RunArguments const& a) {
   auto options = a.options;
   options.version = FISSURA_VERSION;
   options.deck_echo = fissura::deck::echo(c);
+  options.signal = caught_signal;
+  catch_signals();
   auto const result = fissura::sim::run_case(c, options);
   if (result.status == "failed") {
     fmt::print(stderr, "fissura: the run failed: {}\n", result.reason);
@@ -60,6 +63,8 @@ int main(int argc, char** argv) {
   run_command->add_option("--until", run_arguments.options.until, "Stop at this time [s]");
   run_command->add_option("--walltime", run_arguments.options.walltime,
                           "Stop after so many seconds of wall time");
+  run_command->add_option("--restart", run_arguments.options.restart,
+                          "Go on from a checkpoint, or from the newest one of a run folder");
   run_command->add_option("--set", run_arguments.set, "Change the deck: key=value, repeatable")
       ->allow_extra_args(false);
   run_command->add_flag("--quiet", run_arguments.options.quiet, "Nothing on the terminal but errors");

@@ -56,6 +56,15 @@ Section output_section() {
   f.quantity("frames_every", &OutputSpec::frames_every, Dimension::time,
              "Time between frames; > 0 wins over `frames`.")
       .not_negative();
+  f.quantity("checkpoint_every", &OutputSpec::checkpoint_every, Dimension::time,
+             "Wall time between two checkpoints; 0: none by time.")
+      .not_negative();
+  f.integer("checkpoint_steps", &OutputSpec::checkpoint_steps,
+            "Steps between two checkpoints; 0: none by steps.")
+      .range({0, 1e15});
+  f.integer("hash_every", &OutputSpec::hash_every,
+            "Steps between two hashes of the state in log.txt; 0: none.")
+      .range({0, 1e15});
   f.number("magnify", &OutputSpec::magnify, "Scale of the displacements in pictures; no effect on the run.")
       .range({0, 1e6});
   return s;

@@ -28,19 +28,22 @@ void write_all(int descriptor, std::string_view bytes, std::string const& path) 
   }
 }
 
-namespace {
-
-/// Makes the rename itself durable. Some network file systems refuse to flush a folder; the data is safe
-/// anyway.
-void flush_folder_of(std::string const& path) {
-  auto const slash = path.rfind('/');
-  std::string const folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+// Some network file systems refuse to flush a folder; the data is safe anyway.
+void flush_folder(std::string const& folder) {
   int const descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) throw_io_error("open the folder", folder, errno);
   int const failed = ::fsync(descriptor) != 0 ? errno : 0;
   ::close(descriptor);
   if (failed != 0 && failed != EINVAL && failed != ENOTSUP)
     throw_io_error("flush the folder", folder, failed);
+}
+
+namespace {
+
+/// Makes the rename itself durable.
+void flush_folder_of(std::string const& path) {
+  auto const slash = path.rfind('/');
+  flush_folder(slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash));
 }
 
 } // namespace

@@ -14,6 +14,9 @@ namespace fissura::output {
 /// Writes all bytes to a descriptor, continuing after short writes and interrupts; throws as above.
 void write_all(int descriptor, std::string_view bytes, std::string const& path);
 
+/// Makes what was renamed or removed in a folder durable; throws as above.
+void flush_folder(std::string const& folder);
+
 class AtomicFile {
  public:
   /// Opens "<path>.part" for writing; throws core::Error(Failure::io) if that fails.

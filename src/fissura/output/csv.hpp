@@ -1,6 +1,7 @@
 #pragma once
 // The curves of a run as text (history.csv): one header line with units, one row per reading, nothing that
 // differs between two runs of the same case.
+#include <cstdint>
 #include <fmt/format.h>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ class CsvWriter {
   /// Creates (empties) the file and writes `time [s],<name> [<unit>],...`; names are quoted where they must
   /// be. Throws core::Error(Failure::io) with path and reason, here and below.
   CsvWriter(std::string path, std::vector<Column> const& columns);
+  /// Goes on with a file after its first `bytes`; what is behind them is cut off. Throws core::InputError if
+  /// the file is shorter, has other columns, or has no line that ends there.
+  CsvWriter(std::string path, std::vector<Column> const& columns, std::uint64_t bytes);
   ~CsvWriter();
   CsvWriter(CsvWriter const&) = delete;
   CsvWriter& operator=(CsvWriter const&) = delete;
@@ -26,6 +30,10 @@ class CsvWriter {
   /// the same doubles. Throws core::Error(Failure::run) if the number of values is not that of the columns.
   void row(double time, std::span<double const> values);
 
+  /// Length of the file.
+  std::uint64_t bytes() const { return bytes_; }
+  /// Flushes to the disk.
+  void flush();
   /// Flushes to the disk and closes; a later row() is an error. Call it at the end: the destructor cannot
   /// report.
   void close();
@@ -33,6 +41,7 @@ class CsvWriter {
  private:
   std::string path_;
   std::size_t columns_;
+  std::uint64_t bytes_ = 0;
   int descriptor_ = -1;
   fmt::memory_buffer line_; ///< kept between rows: no allocation after the first
 };

@@ -11,7 +11,16 @@ namespace fissura::output {
 void PvdWriter::add(double time, std::vector<std::string> const& files) {
   int part = 0;
   for (std::string const& file : files) entries_.push_back({time, part++, file});
+  rewrite();
+}
 
+void PvdWriter::start_with(std::vector<std::pair<double, std::string>> const& frames) {
+  entries_.clear();
+  for (auto const& [time, file] : frames) entries_.push_back({time, 0, file});
+  rewrite();
+}
+
+void PvdWriter::rewrite() const {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("VTKFile");
   root.append_attribute("type") = "Collection";

@@ -1,6 +1,7 @@
 #pragma once
 // The list of frames of a run (.pvd), which ParaView opens as one data set in time.
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fissura::output {
@@ -13,8 +14,11 @@ class PvdWriter {
   /// frame become its parts 0, 1, ... File names are relative to the folder of the list. Throws
   /// core::Error(Failure::io).
   void add(double time, std::vector<std::string> const& files);
+  /// Goes on with a list of frames of one file each.
+  void start_with(std::vector<std::pair<double, std::string>> const& frames);
 
  private:
+  void rewrite() const;
   struct Entry {
     double time;
     int part;

@@ -12,6 +12,13 @@ class Due {
     while (next_ <= time * (1 + 1e-12)) next_ = every_ * static_cast<double>(++count_);
   }
 
+  /// What a checkpoint holds: how often it has fired. The rest follows from that.
+  long count() const { return count_; }
+  void set_count(long count) {
+    count_ = count;
+    next_ = every_ * static_cast<double>(count_);
+  }
+
  private:
   double every_, next_ = 0;
   long count_ = 0;

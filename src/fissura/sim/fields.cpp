@@ -155,8 +155,12 @@ FieldWriter::FieldWriter(std::string const& folder)
                       fmt::format("{}/frames: cannot create the folder: {}", folder, ec.message()));
 }
 
+std::string frame_file(char const* collection, std::size_t number) {
+  return fmt::format("frames/{}_{:05}.vtu", collection, number);
+}
+
 void FieldWriter::add(output::PvdWriter& list, char const* name, double time, Grid const& grid) {
-  std::string const file = fmt::format("frames/{}_{:05}.vtu", name, frame_);
+  std::string const file = frame_file(name, frames_.size());
   output::write_vtu(folder_ + "/" + file, grid);
   list.add(time, std::vector<std::string>{file});
 }
@@ -166,7 +170,20 @@ void FieldWriter::write(Model const& m, State const& s) {
   add(cracks_, "cracks", s.time, crack_grid(m, s));
   add(bars_, "bars", s.time, bar_grid(m, s));
   if (!m.rigid.empty()) add(rigid_, "rigid", s.time, rigid_grid(m, s));
-  ++frame_;
+  frames_.push_back({s.time});
+}
+
+void FieldWriter::start_with(Model const& m, std::vector<Frame> const& frames) {
+  frames_ = frames;
+  auto start = [&](output::PvdWriter& list, char const* name) {
+    std::vector<std::pair<double, std::string>> entries;
+    for (std::size_t i = 0; i < frames.size(); ++i) entries.emplace_back(frames[i].time, frame_file(name, i));
+    list.start_with(entries);
+  };
+  start(fields_, "fields");
+  start(cracks_, "cracks");
+  start(bars_, "bars");
+  if (!m.rigid.empty()) start(rigid_, "rigid");
 }
 
 } // namespace fissura::sim

@@ -1,6 +1,7 @@
 #pragma once
 // The user's gauges: what each column of history.csv reads.
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fissura/model/model.hpp"
@@ -49,6 +50,9 @@ class Gauges {
   void begin_stage(model::Model const& m, state::State const& s);
   /// The last readings, factor and zero applied.
   std::vector<double> const& values() const { return values_; }
+
+  /// What a checkpoint holds.
+  static auto fields(auto& self) { return std::tie(self.zero_, self.values_, self.zeroed_); }
 
  private:
   void store(std::size_t i, double raw);

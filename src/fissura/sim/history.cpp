@@ -1,10 +1,14 @@
 #include "fissura/sim/history.hpp"
 
+#include <charconv>
 #include <fmt/format.h>
+#include <fstream>
+
+#include "fissura/core/error.hpp"
 
 namespace fissura::sim {
 
-History::History(std::string const& path, model::Model const& m, Gauges const& gauges) {
+History::History(std::string const& path, model::Model const& m, Gauges const& gauges, std::uint64_t kept) {
   auto columns = gauges.columns();
   for (auto const& p : m.prescribed)
     columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
@@ -14,10 +18,38 @@ History::History(std::string const& path, model::Model const& m, Gauges const& g
   for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
                             "bar_joints_yielded", "bars_broken", "fragments"})
     columns.push_back({count, "-"});
-  if (!path.empty()) csv_ = std::make_unique<output::CsvWriter>(path, columns);
+  if (!path.empty())
+    csv_ = kept > 0 ? std::make_unique<output::CsvWriter>(path, columns, kept)
+                    : std::make_unique<output::CsvWriter>(path, columns);
   values_.reserve(columns.size());
   columns_.push_back({"time", "s"});
   columns_.insert(columns_.end(), columns.begin(), columns.end());
+  if (csv_ && kept > 0) read_rows(path);
+}
+
+/// The rows that are there already.
+void History::read_rows(std::string const& path) {
+  std::ifstream in(path);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::size_t const before = rows_.size();
+    char const *at = line.data(), *const end = at + line.size();
+    for (double value = 0; at < end; ++at) {
+      at = std::from_chars(at, end, value).ptr;
+      rows_.push_back(value);
+      if (at < end && *at != ',') break;
+    }
+    if (rows_.size() - before != columns_.size())
+      throw core::InputError({path}, "the run cannot go on with this file: a row has too few or too many "
+                                     "values");
+  }
+}
+
+std::uint64_t History::flush() {
+  if (!csv_) return 0;
+  csv_->flush();
+  return csv_->bytes();
 }
 
 void History::row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,

@@ -1,5 +1,6 @@
 #pragma once
 // history.csv: gauges, reactions, energies and counts over time; kept in memory as well.
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,19 +14,23 @@ namespace fissura::sim {
 
 class History {
  public:
-  /// An empty path: in memory only.
-  History(std::string const& path, model::Model const& m, Gauges const& gauges);
+  /// An empty path: in memory only. `kept` > 0: goes on with the first bytes of a file (see
+  /// output::CsvWriter).
+  History(std::string const& path, model::Model const& m, Gauges const& gauges, std::uint64_t kept = 0);
   void row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
            step::EnergyBalance const& e, Monitor const& monitor);
   void close() {
     if (csv_) csv_->close();
   }
+  /// Length of the file; what has been written is on the disk afterwards.
+  std::uint64_t flush();
   /// The time first.
   std::vector<output::Column> const& columns() const { return columns_; }
   /// Row after row, each as long as columns().
   std::vector<double> const& rows() const { return rows_; }
 
  private:
+  void read_rows(std::string const& path);
   std::unique_ptr<output::CsvWriter> csv_;
   std::vector<output::Column> columns_;
   std::vector<double> values_, rows_;

@@ -1,6 +1,7 @@
 #pragma once
 // Watches the readings of the energy ledger: residual, kinetic share, equilibrium.
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "fissura/concrete/concrete.hpp"
@@ -37,6 +38,17 @@ class Monitor {
   double last_imbalance() const { return last_imbalance_; }
   bool crossed_warning() const { return warned_; }
 
+  /// What a checkpoint holds.
+  static auto fields(auto& self) {
+    return std::tie(self.worst_missing_, self.scale_, self.last_imbalance_, self.resultant_, self.all_forces_,
+                    self.warned_, self.shares_);
+  }
+  struct Share {
+    double kinetic, internal; ///< [J]
+    using ListGrows = void;
+    static auto fields(auto& self) { return std::tie(self.kinetic, self.internal); }
+  };
+
  private:
   static Trouble unbalanced(double residual, model::Model const& m, state::State const& s);
   void weigh_forces(model::Model const& m, state::State const& s);
@@ -44,9 +56,6 @@ class Monitor {
   double last_imbalance_ = 0;
   double resultant_ = 0, all_forces_ = 0; ///< sums over readings [N]
   bool warned_ = false, any_paper_ = false;
-  struct Share {
-    double kinetic, internal;
-  };
   std::vector<Share> shares_;
 };
 

@@ -19,7 +19,7 @@ bool Progress::due(double seconds) {
 double Progress::eta(double done, double wall) {
   Sample const now{wall, done};
   std::size_t const size = window_.size();
-  Sample const oldest = samples_ == 0     ? Sample{0, 0}
+  Sample const oldest = samples_ == 0     ? Sample{0, first_}
                         : samples_ < size ? window_[0]
                                           : window_[samples_ % size];
   window_[samples_++ % size] = now;

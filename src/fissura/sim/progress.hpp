@@ -13,6 +13,8 @@ class Progress {
   /// The same at a given wall time since the start [s].
   double eta(double done, double wall);
   double elapsed() const;
+  /// Tells the share that was done before the first look: of a run that goes on.
+  void begin_at(double done) { first_ = done; }
   /// True at most every `seconds` of wall time.
   bool due(double seconds);
 
@@ -22,7 +24,7 @@ class Progress {
     double wall, done;
   };
   clock::time_point start_ = clock::now();
-  double last_ = 0;
+  double last_ = 0, first_ = 0;
   std::array<Sample, 16> window_{};
   std::size_t samples_ = 0;
 };

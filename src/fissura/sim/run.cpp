@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "fissura/checkpoint/file.hpp"
+#include "fissura/checkpoint/store.hpp"
+#include "fissura/checkpoint/validate.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/loads/curve.hpp"
 #include "fissura/loads/path.hpp"
@@ -18,13 +20,22 @@
 #include "fissura/sim/fragments.hpp"
 #include "fissura/sim/guards.hpp"
 #include "fissura/sim/history.hpp"
+#include "fissura/sim/identity.hpp"
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/monitor.hpp"
 #include "fissura/sim/progress.hpp"
 #include "fissura/sim/report_writer.hpp"
+#include "fissura/sim/requests.hpp"
+#include "fissura/sim/run_folder.hpp"
 #include "fissura/sim/state_hash.hpp"
 #include "fissura/sim/stops.hpp"
 #include "fissura/step/advance.hpp"
+
+namespace fissura::step {
+FISSURA_FIELDS(EnergyBalance, kinetic, strain, joints, bars, bar_joints, contact, impactors, fracture_I,
+               fracture_II, friction, contact_friction, bond_steel, dowel, rupture, viscous, mass_damping,
+               local_damping, absorbed, work_supports, work_forces, work_gravity, absolute_work, start)
+} // namespace fissura::step
 
 namespace fissura::sim {
 
@@ -32,45 +43,13 @@ using model::Model;
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) {
-  interrupted = 1;
-}
-
-/// SIGINT and SIGTERM only raise a flag while a run goes on; the old handlers come back afterwards.
-class SignalGuard {
- public:
-  SignalGuard() {
-    interrupted = 0;
-    old_int_ = std::signal(SIGINT, interrupt);
-    old_term_ = std::signal(SIGTERM, interrupt);
-  }
-  ~SignalGuard() {
-    std::signal(SIGINT, old_int_);
-    std::signal(SIGTERM, old_term_);
-  }
-
- private:
-  void (*old_int_)(int);
-  void (*old_term_)(int);
+/// A tet that owns a place in the overlay of forces. The sum of forces knows no order of these places, but
+/// a tet without one keeps a zero's sign.
+struct Slot {
+  int tet = -1;
+  using ListGrows = void;
+  static auto fields(auto& self) { return std::tie(self.tet); }
 };
-
-void make_folder(std::string const& folder, bool force) {
-  namespace fs = std::filesystem;
-  std::error_code ec;
-  if (fs::exists(folder, ec) && !force)
-    throw core::Error(core::Failure::io,
-                      fmt::format("{} exists already; choose another --out or add --force", folder));
-  if (force) {
-    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd",
-                            "frames", "log.txt", "case.toml", "report.html"})
-      fs::remove_all(fs::path(folder) / old, ec);
-  }
-  fs::create_directories(folder, ec);
-  if (ec)
-    throw core::Error(core::Failure::io,
-                      fmt::format("{}: cannot create the run folder: {}", folder, ec.message()));
-}
 
 double planned_time(Model const& m) {
   if (m.source.run.end_time > 0) return m.source.run.end_time;
@@ -84,29 +63,32 @@ double planned_time(Model const& m) {
 class Run::Impl {
  public:
   Impl(model::Case const& c, RunOptions const& options)
-      : options_(options), threads_(options.threads >= 0 ? options.threads : c.run.threads),
-        log_(make_log(options.quiet)), m_(build_model(c, report_)), s_(step::make_state(m_)),
-        w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), guards_(m_),
-        end_(planned_time(m_)),
+      : options_(options), requests_(options.signal, options.walltime),
+        threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(make_log(options.quiet)),
+        m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_, s_)), gauges_(m_),
+        stops_(c, gauges_), monitor_(m_), guards_(m_), end_(planned_time(m_)),
         history_due_(c.output.history_every > 0 ? c.output.history_every
                                                 : end_ / std::max(1, c.output.history_points)),
         frame_due_(c.output.frames_every > 0 ? c.output.frames_every
                    : c.output.frames > 0     ? end_ / c.output.frames
-                                             : 0) {
-    if (options.until > 0) end_ = std::min(end_, options.until);
-  }
+                                             : 0) {}
 
   void open() {
+    if (!options_.restart.empty()) restore(checkpoint::find(options_.restart));
     if (!options_.out.empty()) open_folder();
-    history_ =
-        std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_, gauges_);
+    history_ = std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_,
+                                         gauges_, marks_.history);
     describe();
   }
 
   bool step() {
     if (ended_) return false;
     try {
-      ended_ = reason_to_stop() || advance();
+      ended_ = reason_to_stop();
+      if (!ended_)
+        keep(), ended_ = advance();
+      else if (store_ && result_.status == "stopped")
+        write_checkpoint();
     } catch (core::Error const& e) {
       if (e.failure == core::Failure::io) throw;
       if (auto const* failure = dynamic_cast<RunFailure const*>(&e)) trouble_ = failure->trouble;
@@ -120,11 +102,99 @@ class Run::Impl {
   friend class Run;
 
   void open_folder() {
-    make_folder(options_.out, options_.force);
-    log_to_file(*log_, options_.out + "/log.txt");
-    output::replace_file(options_.out + "/case.toml", options_.deck_echo);
-    fields_ = std::make_unique<FieldWriter>(options_.out);
+    std::string const& out = options_.out;
+    if (restored_.empty())
+      make_folder(out, options_.force), store_ = std::make_unique<checkpoint::Store>(out);
+    else
+      open_old_folder();
+    log_to_file(*log_, out + "/log.txt", restored_.empty());
+    output::replace_file(out + "/case.toml", options_.deck_echo);
+    fields_ = std::make_unique<FieldWriter>(out);
+    if (!restored_.empty()) fields_->start_with(m_, marks_.frames);
+    requests_.watch(out);
   }
+
+  /// Goes on in the folder of the checkpoint, or in a new one with all that was there up to it.
+  void open_old_folder() {
+    std::string const old = checkpoint::run_folder_of(restored_);
+    bool const here = is_same_folder(old, options_.out);
+    if (!here) make_folder(options_.out, options_.force), copy_start(old, options_.out, marks_);
+    store_ = std::make_unique<checkpoint::Store>(options_.out);
+    here ? store_->cut_back_to(restored_) : store_->adopt(restored_);
+    if (here) cut_back(options_.out, marks_);
+  }
+
+  /// All that a checkpoint holds beside what it belongs to; the same list for saving and loading.
+  template <class Archive> void visit(Archive& archive) {
+    long rows = history_due_.count(), frames = frame_due_.count();
+    archive(s_, energy_, gauges_, stops_, monitor_, end_, settled_, rows, frames, wall_before_, marks_,
+            slots_);
+    history_due_.set_count(rows), frame_due_.set_count(frames);
+  }
+
+  void restore(std::string const& path) {
+    std::string const contents = checkpoint::read_file(path);
+    checkpoint::Loader load(contents, path);
+    Identity const now = identify(m_, options_.version);
+    Identity saved;
+    load(saved);
+    warnings_ = compare(saved, now, load);
+    m_.dt = saved.dt;
+    visit(load);
+    load.finish();
+    checkpoint::validate(m_, s_, load);
+    if (!(end_ > 0 && end_ < 1e300)) load.refuse("the end of the run is no time");
+    w_ = step::make_scratch(m_, s_);
+    for (auto const [tet] : slots_) {
+      if (tet < 0 || tet >= m_.tet_count()) load.refuse("a force acts on no tet");
+      w_.overlay.slot_for(tet);
+    }
+    restored_ = path, kept_step_ = s_.step;
+    progress_.begin_at(s_.time / end());
+  }
+
+  /// Writes a checkpoint at this step: every file is as long as it says. A state that has gone wrong never
+  /// takes the place of a good one.
+  void write_checkpoint() {
+    if (auto trouble = guards_.look_everywhere(m_, s_)) throw RunFailure(std::move(*trouble));
+    log_->flush();
+    double const before = wall_before_;
+    wall_before_ = wall_seconds();
+    marks_ = {history_->flush(), size_of(options_.out + "/log.txt"), fields_->frames()};
+    slots_.clear();
+    for (int const tet : w_.overlay.tets) slots_.push_back({tet});
+    Identity const identity = identify(m_, options_.version);
+    std::string const path = store_->write([&](checkpoint::Saver& save) { save(identity), visit(save); });
+    wall_before_ = before;
+    kept_at_ = progress_.elapsed(), kept_step_ = s_.step;
+    log_->debug("t = {:.9g} s, step {}: checkpoint {}", s_.time, s_.step, path);
+  }
+
+  /// What is done between two steps for the sake of the run itself.
+  void keep() {
+    auto const& o = m_.source.output;
+    if (store_ && is_checkpoint_due()) write_checkpoint();
+    if (o.hash_every > 0 && s_.step % o.hash_every == 0)
+      log_->debug("t = {:.9g} s, step {}: state {:016x}", s_.time, s_.step, state_hash(m_, s_));
+  }
+
+  bool is_checkpoint_due() {
+    auto const& o = m_.source.output;
+    if (requests_.for_output()) {
+      fields_->write(m_, s_);
+      if (frame_due_.at(s_.time)) frame_due_.done(s_.time);
+      log_->info("t = {:.5g} s: a frame and a checkpoint, as the file `output_now` asks", s_.time);
+      return true;
+    }
+    if (s_.step == kept_step_) return false;
+    bool const by_steps = o.checkpoint_steps > 0 && s_.step > 0 && s_.step % o.checkpoint_steps == 0;
+    return by_steps || (o.checkpoint_every > 0 && progress_.elapsed() - kept_at_ > o.checkpoint_every);
+  }
+
+  /// Of all parts of the run together.
+  double wall_seconds() const { return wall_before_ + progress_.elapsed(); }
+  /// When this part of the run ends at the latest [s].
+  double end() const { return options_.until > 0 ? std::min(end_, options_.until) : end_; }
 
   void describe() {
     auto const& c = m_.source;
@@ -138,8 +208,11 @@ class Run::Impl {
       log_->info("mass scaling adds {:.4g} kg to {:.4g} kg", m_.added_mass, m_.total_mass);
     for (auto const& note : report_.notes) log_->info("{}", note);
     for (auto const& warning : report_.warnings) log_->warn("{}", warning);
+    if (!restored_.empty())
+      log_->info("goes on from {} at t = {:.5g} s, step {}", restored_, s_.time, s_.step);
+    for (auto const& warning : warnings_) log_->warn("{}", warning);
     log_->info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}",
-               m_.dt, m_.dt_limiter, std::ceil(end_ / m_.dt), end_, threads_.count(),
+               m_.dt, m_.dt_limiter, std::ceil(end() / m_.dt), end(), threads_.count(),
                concrete::kernels().name);
   }
 
@@ -149,17 +222,11 @@ class Run::Impl {
       result_.reason = std::move(reason);
       return true;
     };
-    if (interrupted) return stop("stopped", "interrupted by a signal");
-    if (options_.walltime > 0 && progress_.elapsed() > options_.walltime)
-      return stop("stopped", "wall time used up");
+    if (auto const asked = requests_.to_stop()) return stop("stopped", *asked);
     if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps)
       return stop("stopped", "max_steps reached");
-    if (s_.time >= end_) {
-      if (options_.until > 0 && end_ >= options_.until && end_ < planned_time(m_))
-        return stop("stopped", "time of --until reached");
-      return true;
-    }
-    return false;
+    if (s_.time < end()) return false;
+    return end() < end_ ? stop("stopped", "time of --until reached") : true;
   }
 
   /// One time step and what is due with it; true if it was the last one.
@@ -257,14 +324,14 @@ class Run::Impl {
     if (m_.source.run.end_time > 0) return;
     double end = s_.time;
     for (auto i = static_cast<std::size_t>(s_.stage); i < m_.stages.size(); ++i) end += m_.stages[i].duration;
-    end_ = options_.until > 0 ? std::min(end, options_.until) : end;
+    end_ = end;
   }
 
   void show_progress() {
     report_page_.meanwhile(progress_.elapsed(), *log_);
     bool const terminal = ::isatty(STDOUT_FILENO) && !options_.quiet;
     if (!progress_.due(terminal ? 1 : 10)) return;
-    double const done = s_.time / end_, left = progress_.eta(done);
+    double const done = s_.time / end(), left = progress_.eta(done);
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
     std::string const line =
@@ -287,6 +354,8 @@ class Run::Impl {
     auto const level = result.status == "failed" ? spdlog::level::err : spdlog::level::info;
     log_->log(level, "{}: {} (t = {:.5g} s, {} steps, {})", result.status, result.reason, s_.time, s_.step,
               readable_duration(progress_.elapsed()));
+    if (result.status == "failed" && store_ && !store_->last().empty())
+      log_->info("the last good checkpoint is {}", store_->last());
     double const quiet = monitor_.quiet_share(), imbalance = monitor_.imbalance();
     log_->info("energy residual {:+.3g} % of the energy put in", 100 * monitor_.residual());
     log_->info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
@@ -306,7 +375,7 @@ class Run::Impl {
     auto const& result = result_;
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
-    double const wall = progress_.elapsed();
+    double const wall = wall_seconds();
     output::Json energy = output::Json::object();
     for (auto const& [name, value] : energy_.accounts()) energy[std::string(name)] = value;
     output::Json j = output::Json::object();
@@ -383,6 +452,7 @@ class Run::Impl {
   }
 
   RunOptions options_;
+  Requests requests_;
   parallel::Threads threads_;
   std::shared_ptr<spdlog::logger> log_;
   BuildReport report_;
@@ -395,7 +465,7 @@ class Run::Impl {
   Guards guards_;
   std::optional<Trouble> trouble_; ///< what ended the run, if it failed
   Progress progress_;
-  double end_;
+  double end_; ///< when the stages end, as far as known [s]
   Due history_due_, frame_due_;
   ReportWriter report_page_{options_.out, options_.version, options_.report};
   std::unique_ptr<History> history_;
@@ -404,6 +474,15 @@ class Run::Impl {
   int settled_ = 0;
   RunResult result_{"complete", "end time reached", options_.out};
   bool ended_ = false;
+
+  std::unique_ptr<checkpoint::Store> store_; ///< none without a run folder
+  FileMarks marks_;                          ///< at the last checkpoint
+  std::vector<Slot> slots_;                  ///< at the last checkpoint
+  std::string restored_;                     ///< the checkpoint this run goes on from
+  std::vector<std::string> warnings_;        ///< of the restart
+  double wall_before_ = 0;                   ///< wall time of earlier parts of the run [s]
+  double kept_at_ = 0;                       ///< wall time of the last checkpoint since the start [s]
+  long kept_step_ = -1;                      ///< its step
 };
 
 Run::Run(model::Case const& c, RunOptions const& options) : impl_(std::make_unique<Impl>(c, options)) {}
@@ -441,13 +520,16 @@ std::string Run::summary() const {
 
 RunResult run_case(model::Case const& c, RunOptions const& options) {
   RunOptions o = options;
-  if (o.out.empty()) o.out = std::filesystem::path(c.deck_file).stem().string() + ".run";
-  if (std::filesystem::exists(o.out) && !o.force)
+  std::string const old =
+      o.restart.empty() ? "" : checkpoint::run_folder_of(o.restart = checkpoint::find(o.restart));
+  if (o.out.empty())
+    o.out = old.empty() ? std::filesystem::path(c.deck_file).stem().string() + ".run"
+                        : std::filesystem::relative(old).string();
+  if (std::filesystem::exists(o.out) && !o.force && !(!old.empty() && is_same_folder(old, o.out)))
     throw core::Error(core::Failure::io,
                       fmt::format("{} exists already; choose another --out or add --force", o.out));
   Run run(c, o);
   run.open();
-  SignalGuard const signals;
   while (run.step()) {
   }
   return run.finish();

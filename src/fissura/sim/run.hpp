@@ -1,5 +1,6 @@
 #pragma once
 // The driver: from a case to a run folder.
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,8 +25,10 @@ struct RunOptions {
   double until = 0;    ///< > 0: stop at this time [s]
   double walltime = 0; ///< > 0: stop after so many seconds of wall time
   bool quiet = false;
-  bool force = false;  ///< overwrite an existing run folder
-  bool report = false; ///< write report.html, while the run goes on and at its end
+  bool force = false;            ///< overwrite an existing run folder
+  bool report = false;           ///< write report.html, while the run goes on and at its end
+  std::string restart;           ///< a checkpoint, or a run folder: go on with its newest one
+  std::function<int()> signal{}; ///< the number of a signal that asks the run to stop, or 0; asked every step
 };
 
 struct RunResult {
@@ -43,13 +46,14 @@ class Run {
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
 
-  /// Makes the run folder; with an empty `options.out` nothing is ever written and the history is kept in
-  /// memory only.
+  /// Makes the run folder, or cuts it back to the checkpoint the run goes on from (nothing is touched if that
+  /// is refused: core::InputError); with an empty `options.out` nothing is ever written and the history is
+  /// kept in memory only.
   void open();
   /// One time step with the rows, frames and checks that are due with it. False once the run has ended:
   /// result() says how. A failed run ends with status "failed"; only input/output failures throw.
   bool step();
-  /// Writes the last frame and the summary.
+  /// Writes the last frame and the summary; before them a checkpoint, if the run was stopped.
   RunResult const& finish();
 
   bool ended() const;
@@ -65,7 +69,8 @@ class Run {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Builds the model, runs it and leaves a run folder (docs/reference/outputs.md). Bad input throws
+/// Builds the model, runs it and leaves a run folder (docs/reference/outputs.md). A restart goes on in the
+/// folder of its checkpoint unless `options.out` names another. Bad input throws
 /// core::InputError before any folder is made; a run that fails on the way returns status "failed" with
 /// everything written so far.
 RunResult run_case(model::Case const& c, RunOptions const& options);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fissura/model/case.hpp"
@@ -16,15 +17,20 @@ class Stops {
   /// The first condition that the present readings meet, in words.
   std::optional<std::string> met(Gauges const& gauges);
 
+  /// What a checkpoint holds.
+  static auto fields(auto& self) { return std::tie(self.watches_); }
+
  private:
   struct Watch {
     model::StopSpec spec;
     int gauge;
-    std::array<double, 5> last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
+    std::array<double, 5>
+        last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
     std::size_t readings = 0;
     double peak = 0; ///< largest |mean| so far
 
     double mean_with(double reading);
+    static auto fields(auto& self) { return std::tie(self.last, self.readings, self.peak); }
   };
   std::vector<Watch> watches_;
 };

@@ -1,0 +1,30 @@
+#pragma once
+// What a checkpoint belongs to: deck, mesh, loads, program.
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "fissura/checkpoint/archive.hpp"
+#include "fissura/model/model.hpp"
+
+namespace fissura::sim {
+
+struct Identity {
+  std::string version, kernels; ///< of the program; of the instruction set
+  std::string deck;             ///< echo without the keys that change no result
+  std::uint64_t mesh = 0;       ///< hash of the mesh as it was read
+  std::uint64_t records = 0;    ///< hash of the curves of loads, which may come from files
+  double dt = 0;                ///< [s]
+  static auto fields(auto& self) {
+    return std::tie(self.version, self.kernels, self.deck, self.mesh, self.records, self.dt);
+  }
+};
+
+Identity identify(model::Model const& m, std::string const& version);
+
+/// Refuses a checkpoint of another deck, mesh or record; returns warnings about what may change the last
+/// digits.
+std::vector<std::string> compare(Identity const& saved, Identity const& now, checkpoint::Loader const& from);
+
+} // namespace fissura::sim

@@ -1,0 +1,36 @@
+#pragma once
+// The files of a run folder as a whole: made, and cut back to a checkpoint.
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "fissura/sim/fields.hpp"
+
+namespace fissura::sim {
+
+/// How far the files had come when a checkpoint was written.
+struct FileMarks {
+  std::uint64_t history = 0, log = 0; ///< bytes
+  std::vector<Frame> frames;
+  static auto fields(auto& self) { return std::tie(self.history, self.log, self.frames); }
+};
+
+/// Makes the folder; with `force` removes what an earlier run has left there. Throws core::Error(Failure::io)
+/// if it exists already or cannot be made.
+void make_folder(std::string const& folder, bool force);
+
+/// Whether both names mean the same folder.
+bool is_same_folder(std::string const& a, std::string const& b);
+
+/// Cuts log and frames of a folder back to the marks and removes run.json and what was left half written;
+/// history.csv and the lists of frames are cut by their writers.
+void cut_back(std::string const& folder, FileMarks const& marks);
+
+/// Copies what a run goes on with to a new folder: history and log up to the marks, and the frames.
+void copy_start(std::string const& from, std::string const& to, FileMarks const& marks);
+
+/// Length of a file; 0 if there is none.
+std::uint64_t size_of(std::string const& path);
+
+} // namespace fissura::sim
