@@ -427,8 +427,9 @@ class Run::Impl {
     j["step"] = t.step;
     j["cause"] = t.cause;
     j["cure"] = t.cure;
-    if (fields_) // the fields as they were
-      j["frame"] = fmt::format("frames/fields_{:05}.vtu", fields_->frames() - 1);
+    if (store_ && !store_->last().empty()) j["checkpoint"] = store_->last();
+    if (fields_ && !fields_->frames().empty()) // the fields as they were
+      j["frame"] = frame_file("fields", fields_->frames().size() - 1);
     return j;
   }
 
