@@ -197,7 +197,7 @@ class Refused(Folder):
 
     @staticmethod
     def change_a_size(path):
-        path.write_text(path.read_text().replace("100, 200}", "100, 200.5}"))
+        path.write_text(path.read_text().replace("= 22;", "= 23;"))
 
     @staticmethod
     def change_a_number(path):

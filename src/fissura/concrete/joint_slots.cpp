@@ -67,10 +67,12 @@ void separate_sides(Model const& m, state::JointSlots& slots, int joint) {
 
 void remove_from_slots(Model const& m, state::JointSlots& slots, int joint) {
   auto const& face = m.adjacency.shared[m.joints.joints[joint].shared_face];
-  for (auto const side : {face.a, face.b})
+  for (auto const side : {face.a, face.b}) {
+    auto const tet = static_cast<std::size_t>(side.tet);
+    slots.sign[model::at(tet, side.face, 4)] = 0;
     for (int k = 0; k < 3; ++k)
-      slots.place[model::at(static_cast<std::size_t>(side.tet), 3 * side.face + k, 12)] =
-          static_cast<int>(slots.zeros());
+      slots.place[model::at(tet, 3 * side.face + k, 12)] = static_cast<int>(slots.zeros());
+  }
 }
 
 } // namespace fissura::concrete

@@ -14,8 +14,9 @@ using model::Model;
 
 namespace {
 
-/// Another kernel set finds the largest step to rounding; more than this is another model.
-constexpr double admitted_difference = 1e-6;
+/// Another kernel set finds nearly the same largest step, and goes on with the old one; more than this is
+/// another model.
+constexpr double admitted_difference = 1e-4;
 
 class Fingerprint {
  public:

@@ -144,6 +144,8 @@ class Run::Impl {
     load.finish();
     checkpoint::validate(m_, s_, load);
     if (!(end_ > 0 && end_ < 1e300)) load.refuse("the end of the run is no time");
+    if (history_due_.count() < 0 || frame_due_.count() < 0 || marks_.history == 0)
+      load.refuse("rows or frames were never counted so");
     w_ = step::make_scratch(m_, s_);
     for (auto const [tet] : slots_) {
       if (tet < 0 || tet >= m_.tet_count()) load.refuse("a force acts on no tet");

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
 #include <sstream>
@@ -74,6 +76,47 @@ TEST(Csv, RowAfterCloseFails) {
   CsvWriter csv(folder / "h.csv", {});
   csv.close();
   EXPECT_THROW(csv.row(0, {}), core::Error);
+}
+
+// Requirement: a file is gone on with after so many bytes; what is behind them is cut off.
+TEST(Csv, goes_on_with_a_file) {
+  TemporaryFolder const folder;
+  std::vector<Column> const columns{{"a", "m"}};
+  std::uint64_t kept = 0;
+  {
+    CsvWriter csv(folder / "h.csv", columns);
+    csv.row(0, std::vector<double>{1});
+    csv.flush();
+    kept = csv.bytes();
+    csv.row(1, std::vector<double>{2});
+    csv.close();
+  }
+  CsvWriter csv(folder / "h.csv", columns, kept);
+  csv.row(3, std::vector<double>{4});
+  EXPECT_EQ(csv.bytes(), std::filesystem::file_size(folder / "h.csv"));
+  csv.close();
+  EXPECT_EQ(read_bytes(folder / "h.csv"), "time [s],a [m]\n0,1\n3,4\n");
+}
+
+// Requirement: a file that is shorter, has other columns or no line that ends there is refused with the
+// reason, and stays as it was.
+TEST(Csv, refuses_to_go_on_with_another_file) {
+  TemporaryFolder const folder;
+  std::string const text = "time [s],a [m]\n0,1\n";
+  auto reason = [&](char const* column, std::uint64_t bytes) -> std::string {
+    std::ofstream(folder / "h.csv") << text;
+    try {
+      CsvWriter(folder / "h.csv", {{column, "m"}}, bytes);
+    } catch (core::InputError const& e) {
+      EXPECT_EQ(read_bytes(folder / "h.csv"), text);
+      return e.what();
+    }
+    return "not refused";
+  };
+  EXPECT_NE(reason("a", 30).find("shorter"), std::string::npos);
+  EXPECT_NE(reason("b", 19).find("columns"), std::string::npos);
+  EXPECT_NE(reason("a", 18).find("no line ends"), std::string::npos);
+  EXPECT_EQ(reason("a", 19), "not refused");
 }
 
 } // namespace

@@ -34,5 +34,15 @@ TEST(Pvd, IsCompleteAfterEachFrame) {
   EXPECT_EQ(text(2, "file"), "bar & joints/1.vtu");
 }
 
+// Requirement: a list gone on with is the same, to the byte, as one that was never left.
+TEST(Pvd, GoesOnWithAList) {
+  TemporaryFolder folder;
+  PvdWriter whole(folder / "whole.pvd"), parts(folder / "parts.pvd");
+  for (int i = 0; i < 4; ++i) whole.add(0.1 * i, {"frames/" + std::to_string(i)});
+  parts.start_with({{0.1 * 0, "frames/0"}, {0.1 * 1, "frames/1"}, {0.1 * 2, "frames/2"}});
+  parts.add(0.1 * 3, {"frames/3"});
+  EXPECT_EQ(testing::read_bytes(folder / "parts.pvd"), testing::read_bytes(folder / "whole.pvd"));
+}
+
 } // namespace
 } // namespace fissura::output

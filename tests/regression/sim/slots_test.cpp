@@ -1,0 +1,54 @@
+// The places of joint forces after a restart are those that a run has come to step by step.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "fissura/concrete/concrete.hpp"
+#include "fissura/deck/deck.hpp"
+#include "support/cases.hpp"
+
+namespace fissura::support {
+namespace {
+
+/// Joints by what has become of them.
+std::array<int, 5> statuses(model::Model const& m, state::State const& s) {
+  std::array<int, 5> count{};
+  for (int j = 0; j < m.joints.count; ++j) ++count[s.joint_status[static_cast<std::size_t>(j)]];
+  return count;
+}
+
+// Requirement: tables made from the state of a smashed beam, in which joints are intact, damaged, broken,
+// parting and released, equal those that grew with it, entry by entry; no tet takes a force from a released
+// joint.
+TEST(JointSlots, follow_the_state) {
+  Stepper x(deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {}));
+  x.advance(1000);
+  auto const count = statuses(x.m, x.s);
+  for (int status = 0; status < 5; ++status) EXPECT_GT(count[status], 0) << "status " << status;
+  auto const fresh = concrete::make_joint_slots(x.m, x.s);
+  ASSERT_EQ(fresh.place.size(), x.w.joints.place.size());
+  EXPECT_TRUE(std::equal(fresh.place.begin(), fresh.place.end(), x.w.joints.place.begin()));
+  EXPECT_TRUE(std::equal(fresh.sign.begin(), fresh.sign.end(), x.w.joints.sign.begin()));
+  for (int j = 0; j < x.m.joints.count; ++j) {
+    if (x.s.joint_status[j] != static_cast<std::uint8_t>(state::JointStatus::released)) continue;
+    auto const& face = x.m.adjacency.shared[x.m.joints.joints[j].shared_face];
+    for (auto const side : {face.a, face.b})
+      for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(fresh.place[model::at(static_cast<std::size_t>(side.tet), 3 * side.face + k, 12)],
+                  static_cast<int>(fresh.zeros()));
+  }
+}
+
+// Requirement: with work arrays made anew from the state the next steps have the same bits.
+TEST(JointSlots, made_anew_change_no_bit) {
+  Stepper x(deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {}));
+  Stepper y(deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {}));
+  x.advance(1000), y.advance(1000);
+  y.w = step::make_scratch(y.m, y.s);
+  x.advance(50), y.advance(50);
+  EXPECT_TRUE(std::equal(x.s.u.begin(), x.s.u.end(), y.s.u.begin()));
+  EXPECT_TRUE(std::equal(x.s.v.begin(), x.s.v.end(), y.s.v.begin()));
+}
+
+} // namespace
+} // namespace fissura::support

@@ -1,0 +1,67 @@
+// What may ask a run to stop.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "fissura/sim/requests.hpp"
+#include "unit/output/temporary_folder.hpp"
+
+namespace fissura::sim {
+namespace {
+
+using output::testing::TemporaryFolder;
+
+// Requirement: nothing stops a run that nobody asks, with or without a folder.
+TEST(Requests, are_silent_unless_asked) {
+  TemporaryFolder const folder;
+  Requests alone({}, 0), watching([] { return 0; }, 1000);
+  watching.watch(folder.name());
+  EXPECT_FALSE(alone.to_stop());
+  EXPECT_FALSE(watching.to_stop());
+  EXPECT_FALSE(watching.for_output());
+}
+
+// Requirement: a signal is heard at once and named.
+TEST(Requests, hear_signals) {
+  int signal = 0;
+  Requests requests([&] { return signal; }, 0);
+  EXPECT_FALSE(requests.to_stop());
+  signal = SIGINT;
+  EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGINT (Ctrl-C)");
+  signal = SIGTERM;
+  EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGTERM");
+  signal = SIGUSR1;
+  EXPECT_NE(requests.to_stop().value_or("").find("signal"), std::string::npos);
+}
+
+// Requirement: the wall time counts from the start.
+TEST(Requests, know_the_wall_time) {
+  Requests requests({}, 0.02);
+  EXPECT_FALSE(requests.to_stop());
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(requests.to_stop().value_or(""), "wall time used up");
+}
+
+// Requirement: files are found within some 10 ms, answered once and removed.
+TEST(Requests, find_files) {
+  TemporaryFolder const folder;
+  Requests requests({}, 0);
+  requests.watch(folder.name());
+  std::ofstream(folder / "output_now") << "";
+  std::this_thread::sleep_for(std::chrono::milliseconds(15));
+  EXPECT_FALSE(requests.to_stop());
+  EXPECT_TRUE(requests.for_output());
+  EXPECT_FALSE(requests.for_output());
+  EXPECT_FALSE(std::filesystem::exists(folder / "output_now"));
+  std::ofstream(folder / "stop") << "";
+  std::this_thread::sleep_for(std::chrono::milliseconds(15));
+  EXPECT_EQ(requests.to_stop().value_or(""), "a file `stop` was found in the run folder");
+  EXPECT_FALSE(std::filesystem::exists(folder / "stop"));
+}
+
+} // namespace
+} // namespace fissura::sim
