@@ -3,12 +3,14 @@
 // set.
 #include <cstddef>
 
-#include "fissura/concrete/joint_batch.hpp"
 #include "fissura/concrete/joint_frame.hpp"
 #include "fissura/concrete/kernels.hpp"
+#include "fissura/concrete/least_parting.hpp"
 
 namespace fissura::concrete {
 inline namespace FISSURA_ISA {
+
+using state::JointBatch;
 
 /// The rows of JointHistory, in packs.
 template <class V> struct HistoryRows {
@@ -85,24 +87,32 @@ template <class V> struct BatchPack {
 
   laws::LawPack<V> law() const {
     V four[3][4];
-    for (int i = 0; i < 3; ++i) core::load_fours(pass.laws + 4 * i, batch.law.data() + lane0, four[i]);
-    V const one(1.0), k = row(batch.k), per_k = one / k, strength = row(batch.strength);
-    V const f_t = strength * four[0][0], straight = four[1][3], o_r = four[0][1] / strength;
-    return {k,
+    for (int i = 0; i < 3; ++i) {
+      double const* const rows = pass.laws + 4 * i;
+      if (batch.has_one_law)
+        for (int r = 0; r < 4; ++r) four[i][r] = V(rows[batch.law[0] + r]);
+      else
+        core::load_fours(rows, batch.law.data() + lane0, four[i]);
+    }
+    V const one(1.0), per_k = row(batch.per_k), strength = row(batch.strength);
+    V const f_t = strength * four[0][0], straight = four[2][1];
+    V o_r = four[0][1];
+    if (core::any(strength > one)) o_r = o_r / strength;
+    return {row(batch.k),
             per_k,
             f_t,
             (one + one - straight) * f_t * per_k,
             o_r,
-            one / o_r,
+            strength * four[1][3],
             strength * four[0][2],
             four[0][3],
             four[1][0],
             four[1][1],
-            one / four[1][1],
             four[1][2],
-            straight,
             four[2][0],
-            four[2][1]};
+            straight,
+            four[2][2],
+            four[2][3]};
   }
 
   /// Tractions, their forces on both sides, and what the step has dissipated.
@@ -133,13 +143,20 @@ template <class V> struct BatchPack {
     history.row[history.farthest] = farthest;
     history.store(pass.history, batch.history.data() + lane0);
     auto const is_damaged = most > zero || broken > zero;
-    put(batch.damaged, core::choose(is_damaged, one, zero));
-    put(batch.failed, core::choose(least >= one, one, zero));
+    note(core::choose(is_damaged, one, zero), core::choose(least >= one, one, zero), farthest);
 
     // Half of each point's share (area/3) to each node of its edge.
     Vec<V> force[3];
     for (int k = 0; k < 3; ++k) force[k] = weight * (traction[k] + traction[(k + 2) % 3]);
     balance(f, force, core::choose(is_damaged, one, zero));
+  }
+
+  void note(V damaged, V failed, V farthest) const {
+    constexpr double far_per_weight = 6 * least_parting(1); // the weight is area/6
+    if (core::any(damaged > row(batch.damaged) || failed > row(batch.failed) ||
+                  farthest >= V(far_per_weight) * row(batch.weight)))
+      batch.has_event = true;
+    put(batch.damaged, damaged), put(batch.failed, failed);
   }
 
   /// Adds forces that act alike on both sides of a joint and balance the moment of its tractions. These act
@@ -177,6 +194,7 @@ template <class V> struct BatchPack {
 };
 
 template <class V> void act_batch(DamagedPass const& pass, JointBatch& batch) {
+  batch.has_event = false;
   for (int lane = 0; lane < batch.count; lane += core::lanes<V>) BatchPack<V>{pass, batch, lane}.act();
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "fissura/concrete/concrete.hpp"
-#include "fissura/concrete/joint_batch.hpp"
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/concrete/parting.hpp"
 #include "fissura/concrete/strain_rate.hpp"
@@ -12,6 +11,7 @@
 namespace fissura::concrete {
 
 using model::Model;
+using state::JointBatch;
 using state::JointStatus;
 using state::State;
 
@@ -47,11 +47,43 @@ void fill(Model const& m, State& s, state::JointSlots const& slots, JointBatch& 
   b.history[lane] = state::JointHistory::doubles * joint;
   b.force_a[lane] = static_cast<int>(slots.side_a(joint));
   b.force_b[lane] = static_cast<int>(slots.side_b(joint));
-  b.law[lane] = doubles_per_law * m.joints.kind[j];
+  b.law[lane] = state::doubles_per_law * m.joints.kind[j];
   b.k[lane] = m.joints.k(j);
+  b.per_k[lane] = 1 / b.k[lane];
   b.weight[lane] = m.joints.stiffness[model::at(j, 1, 2)];
   b.strength[lane] = 1 + (s.joint_rate.empty() ? 0 : s.joint_rate[j].excess);
-  b.broken[lane] = status_of(s, joint) >= JointStatus::broken ? 1 : 0;
+  auto const status = status_of(s, joint);
+  b.broken[lane] = status >= JointStatus::broken ? 1 : 0;
+  b.damaged[lane] = status >= JointStatus::damaged ? 1 : 0;
+  b.failed[lane] = b.broken[lane];
+}
+
+/// Whether nothing has to be prepared for a joint in the next step, if nothing happens to it in this one.
+bool is_settled(Model const& m, State const& s, int joint) {
+  auto const j = static_cast<std::size_t>(joint);
+  auto const status = status_of(s, joint);
+  return (status == JointStatus::damaged || status == JointStatus::broken) &&
+         s.joint_history[j].farthest < least_parting(m.joints.joints[joint].area) &&
+         (s.joint_rate.empty() || s.joint_rate[j].frozen);
+}
+
+void collect(Model const& m, State& s, state::JointSlots const& slots, JointBatch& b, int const* joints,
+             int count) {
+  b.count = count;
+  b.is_ready = true;
+  for (int lane = 0; lane < count; ++lane) {
+    prepare(m, s, joints[lane]);
+    b.is_ready &= is_settled(m, s, joints[lane]);
+  }
+  for (int lane = 0; lane < JointBatch::width; ++lane) {
+    b.joint[lane] = joints[std::min(lane, count - 1)];
+    fill(m, s, slots, b, lane);
+  }
+  b.has_one_law = std::all_of(b.law.begin(), b.law.end(), [&](int law) { return law == b.law[0]; });
+}
+
+bool is_ready_for(JointBatch const& b, int const* joints, int count) {
+  return b.is_ready && b.count == count && std::equal(joints, joints + count, b.joint.begin());
 }
 
 /// What the joint has become.
@@ -82,21 +114,19 @@ void prefetch(State const& s, int const* joints, int count) {
 } // namespace
 
 void damaged_joints(KernelSet const& kernels, Model const& m, State& s, state::JointSlots& slots,
-                    int const* joints, int count) {
+                    std::size_t first_block, int const* joints, int count) {
   DamagedPass const pass{s.u.data(), slots.laws.data(), reinterpret_cast<double*>(s.joint_history.data()),
                          slots.force.data()};
-  JointBatch b;
+  JointBatch* b = slots.batches.data() + first_block;
   prefetch(s, joints, count);
-  for (int first = 0; first < count; first += JointBatch::width) {
-    b.count = std::min(JointBatch::width, count - first);
-    prefetch(s, joints + first + b.count, count - first - b.count);
-    for (int lane = 0; lane < b.count; ++lane) prepare(m, s, joints[first + lane]);
-    for (int lane = 0; lane < JointBatch::width; ++lane) {
-      b.joint[lane] = joints[first + std::min(lane, b.count - 1)];
-      fill(m, s, slots, b, lane);
-    }
-    kernels.act_batch(pass, b);
-    for (int lane = 0; lane < b.count; ++lane) renew_status(m, s, slots, b, lane);
+  for (int first = 0; first < count; first += JointBatch::width, ++b) {
+    int const taken = std::min(JointBatch::width, count - first);
+    prefetch(s, joints + first + taken, count - first - taken);
+    if (!is_ready_for(*b, joints + first, taken)) collect(m, s, slots, *b, joints + first, taken);
+    kernels.act_batch(pass, *b);
+    if (b->is_ready && !b->has_event) continue;
+    for (int lane = 0; lane < taken; ++lane) renew_status(m, s, slots, *b, lane);
+    b->is_ready &= !b->has_event;
   }
 }
 

@@ -69,7 +69,7 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
                        [&](std::size_t, std::size_t begin, std::size_t end) {
                          std::array<int, blocks_per_chunk * model::block> marked;
                          int const count = set.joint_forces(pass, begin, end, marked.data());
-                         damaged_joints(set, m, s, w.joints, marked.data(), count);
+                         damaged_joints(set, m, s, w.joints, begin, marked.data(), count);
                        });
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "fissura/concrete/concrete.hpp"
-#include "fissura/concrete/joint_batch.hpp"
 
 namespace fissura::concrete {
 
@@ -26,16 +25,18 @@ void connect(state::JointSlots& slots, mesh::TetFace side, std::array<int, 3> co
 
 void append(std::vector<double>& to, laws::CohesiveParams const& p) {
   auto const one_if = [](bool b) { return b ? 1.0 : 0.0; };
-  std::array<double, doubles_per_law> const row{p.f_t,
-                                                p.o_r,
-                                                p.f_s,
-                                                p.tan_phi,
-                                                p.friction,
-                                                p.shear_work,
-                                                one_if(p.mohr_coulomb),
-                                                one_if(p.straight_tension),
-                                                one_if(p.straight_shear),
-                                                one_if(p.law == laws::CohesiveLaw::paper)};
+  std::array<double, state::doubles_per_law> const row{p.f_t,
+                                                       p.o_r,
+                                                       p.f_s,
+                                                       p.tan_phi,
+                                                       p.friction,
+                                                       p.shear_work,
+                                                       1 / p.shear_work,
+                                                       1 / p.o_r,
+                                                       one_if(p.mohr_coulomb),
+                                                       one_if(p.straight_tension),
+                                                       one_if(p.straight_shear),
+                                                       one_if(p.law == laws::CohesiveLaw::paper)};
   to.insert(to.end(), row.begin(), row.end());
 }
 
@@ -47,6 +48,7 @@ state::JointSlots make_joint_slots(Model const& m, state::State const& s) {
   slots.force = core::Buffer<double>(2 * 12 * joints + 16);
   slots.place = core::Buffer<int>(12 * tets);
   slots.sign = core::Buffer<float>(4 * tets);
+  slots.batches = core::Buffer<state::JointBatch>(m.joints.blocks());
   for (auto const& law : m.joints.kinds) append(slots.laws, law);
   std::fill(slots.place.begin(), slots.place.end(), static_cast<int>(slots.zeros()));
   for (int i = 0; i < m.joints.count; ++i) {

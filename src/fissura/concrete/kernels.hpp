@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "fissura/concrete/joint_batch.hpp"
 #include "fissura/model/blocks.hpp"
 #include "fissura/state/state.hpp"
 
@@ -15,6 +14,14 @@ struct JointPass {
   double const* u;
   double* force;
   std::uint8_t const* status;
+};
+
+/// What the full law of damaged joints reads and writes.
+struct DamagedPass {
+  double const* u;
+  double const* laws;
+  double* history;
+  double* force;
 };
 
 /// What the tet loop needs beside the state arrays.
@@ -38,7 +45,7 @@ struct KernelSet {
   /// Lists the joints that have a history or leave the undamaged range, and returns their number.
   int (*joint_forces)(JointPass const&, std::size_t begin, std::size_t end, int* marked);
   double (*intact_joint_energy)(JointPass const&, std::size_t begin, std::size_t end); ///< [J]
-  void (*act_batch)(DamagedPass const&, JointBatch&);                                  ///< their full law
+  void (*act_batch)(DamagedPass const&, state::JointBatch&);                           ///< their full law
   state::TetSums (*tet_forces)(TetPass const&, std::size_t begin, std::size_t end);
 };
 

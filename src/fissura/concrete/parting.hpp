@@ -2,13 +2,9 @@
 // The end of a joint: its faces turn away from each other, slide past each other, and leave their load to
 // contact.
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/least_parting.hpp"
 
 namespace fissura::concrete {
-
-/// Faces whose nodes are nearer than the root of this [m2] have neither turned by 30 degrees nor parted.
-constexpr double least_parting(double area) {
-  return 0.02 * area;
-}
 
 /// A joint whose faces have turned by 60 degrees has broken, also where a point on the hinge between them
 /// never opened; what that held is lost.

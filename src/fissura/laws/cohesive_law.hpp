@@ -176,21 +176,24 @@ template <class V> inline V friction_stiffness(LawPack<V> const& p, Branches<V> 
 }
 
 /// Coulomb friction with a spring in parallel to the cohesive part; |t| <= (1 - z) mu |sigma|. Adds to `t`
-/// where `has_friction`; elsewhere the slip follows the faces.
+/// where `has_friction`; elsewhere the slip follows the faces. `has_grown`: the branches differ somewhere.
 template <class V, class M>
-inline void add_friction(LawPack<V> const& p, Branches<V> const& old, Branches<V> const& b, M has_friction,
-                         HistoryPack<V>& h, SeparationPack<V> const& now, SeparationPack<V> const& before,
-                         TractionPack<V>& t, V& lost) {
+inline void add_friction(LawPack<V> const& p, Branches<V> const& old, Branches<V> const& b, bool has_grown,
+                         M has_friction, HistoryPack<V>& h, SeparationPack<V> const& now,
+                         SeparationPack<V> const& before, TractionPack<V>& t, V& lost) {
   V const zero(0.0), half(0.5), one(1.0);
-  V const k_old = friction_stiffness(p, old), k = friction_stiffness(p, b);
+  V const k_old = friction_stiffness(p, old), k = has_grown ? friction_stiffness(p, b) : k_old;
   auto const acts = has_friction && k > zero;
   V const e_1 = before.sliding_1 - h.slip_1, e_2 = before.sliding_2 - h.slip_2;
   V const t0_1 = k_old * e_1, t0_2 = k_old * e_2;
+  V loss = zero, from_1 = h.slip_1, from_2 = h.slip_2;
   // The spring has stiffened with damage: keep its force, not its stretch, or energy would appear.
-  V keep = one;
-  if (auto const stiffens = k > k_old; core::any(stiffens)) keep = choose(stiffens, V(k_old / k), one);
-  V loss = half * (one - keep) * (t0_1 * e_1 + t0_2 * e_2);
-  V const from_1 = before.sliding_1 - keep * e_1, from_2 = before.sliding_2 - keep * e_2;
+  if (auto const stiffens = k > k_old; has_grown && core::any(stiffens)) {
+    V const keep = choose(stiffens, V(k_old / k), one);
+    loss = half * (one - keep) * (t0_1 * e_1 + t0_2 * e_2);
+    from_1 = choose(stiffens, V(before.sliding_1 - keep * e_1), from_1);
+    from_2 = choose(stiffens, V(before.sliding_2 - keep * e_2), from_2);
+  }
 
   V t_1 = k * (now.sliding_1 - from_1), t_2 = k * (now.sliding_2 - from_2);
   V const limit = choose(t.sigma < zero, V((b.z - one) * p.friction * t.sigma), zero);
@@ -224,18 +227,19 @@ inline TractionPack<V> cohesive_law(LawPack<V> const& p, HistoryPack<V>& h, Sepa
   V const reached = core::smaller(one, damage_at(p, f_s, now.opening, square_sliding(now)));
   V const kappa = core::larger(kappa_old, choose(broken > zero, one, reached));
   auto const is_damaged = kappa > zero;
-  auto const is_new = is_damaged && kappa_old <= zero;
   auto const grows = kappa > kappa_old;
 
   HistoryPack<V> next = h;
   next.kappa = kappa;
-  next.f_s = choose(is_new && p.mohr_coulomb > zero, f_s, h.f_s);
-  next.slip_1 = choose(is_new, before.sliding_1, h.slip_1); // friction starts without a jump
-  next.slip_2 = choose(is_new, before.sliding_2, h.slip_2);
   next.z = z_old;
   Branches<V> const old = branches(p, kappa_old, z_old, f_s);
   Branches<V> b = old;
-  if (core::any(grows)) {
+  bool const has_grown = core::any(grows);
+  if (has_grown) {
+    auto const is_new = is_damaged && kappa_old <= zero;
+    next.f_s = choose(is_new && p.mohr_coulomb > zero, f_s, h.f_s);
+    next.slip_1 = choose(is_new, before.sliding_1, h.slip_1); // friction starts without a jump
+    next.slip_2 = choose(is_new, before.sliding_2, h.slip_2);
     next.z = choose(grows, softening(kappa), z_old);
     b = branches(p, kappa, next.z, f_s);
     // The fall of stored energy at fixed separation.
@@ -251,7 +255,7 @@ inline TractionPack<V> cohesive_law(LawPack<V> const& p, HistoryPack<V>& h, Sepa
   TractionPack<V> t = cohesive_part(p, b, now);
   auto const has_friction = broken > zero || p.mohr_coulomb > zero;
   V friction(0.0);
-  add_friction(p, old, b, has_friction, next, now, before, t, friction);
+  add_friction(p, old, b, has_grown, has_friction, next, now, before, t, friction);
   lost.friction = lost.friction + choose(is_damaged, friction, zero);
 
   h.kappa = next.kappa;

@@ -30,6 +30,7 @@ void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w,
     auto const stretch = stretch_of(m.bars.elements[i], nodes);
     s.bars.elongation[i] = stretch.elongation;
     w.bars.element[i].direction = stretch.direction;
+    w.bars.element[i].gradients = gradients_of(m.bars.elements[i].tet, nodes);
   }
 }
 

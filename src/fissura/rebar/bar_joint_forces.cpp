@@ -15,12 +15,12 @@ class JointStep {
  public:
   JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
       : m_(m), whole_(s), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
-        i_(index), nodes_{m.position.data(), s.u.data()}, out_(w.bars.joint[index]),
+        i_(index), nodes_{m.position.data(), s.u.data()},
+        side_a_(w.bars.element[static_cast<std::size_t>(joint_.elem_a)]),
+        side_b_(w.bars.element[static_cast<std::size_t>(joint_.elem_b)]), out_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
-    auto const a = static_cast<std::size_t>(joint_.elem_a), b = static_cast<std::size_t>(joint_.elem_b);
-    jump_ = jump_of(joint_, w.bars.element[a].direction, w.bars.element[b].direction, nodes_);
-    double const halves = slip_only_ ? 0.5 * (s_.elongation[a] + s_.elongation[b]) : 0;
-    slip_ = 0.5 * (jump_.axial + halves);
+    jump_ = jump_of(joint_, side_a_.direction, side_b_.direction, nodes_);
+    slip_ = 0.5 * (jump_.axial + (slip_only_ ? elongation_of_halves() : 0));
   }
 
   void advance() {
@@ -39,6 +39,11 @@ class JointStep {
   }
 
  private:
+  double elongation_of_halves() const {
+    auto const a = static_cast<std::size_t>(joint_.elem_a), b = static_cast<std::size_t>(joint_.elem_b);
+    return 0.5 * (s_.elongation[a] + s_.elongation[b]);
+  }
+
   bool some_face_separates() const {
     for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
       auto const& face = m_.bars.faces[f];
@@ -89,8 +94,8 @@ class JointStep {
   void act(double sigma, Vec3 dowel) {
     out_.axial = sigma * m_.bars.properties[joint_.bar].area;
     out_.force = out_.axial * jump_.r + dowel;
-    out_.w_a = moved_weights(joint_.tet_a, joint_.w_a, 0.5 * jump_.d, nodes_);
-    out_.w_b = moved_weights(joint_.tet_b, joint_.w_b, -0.5 * jump_.d, nodes_);
+    out_.w_a = moved_weights(side_a_.gradients, joint_.w_a, 0.5 * jump_.d);
+    out_.w_b = moved_weights(side_b_.gradients, joint_.w_b, -0.5 * jump_.d);
   }
 
   void remember() {
@@ -109,6 +114,7 @@ class JointStep {
   state::BarState& s_;
   std::size_t i_;
   Nodes nodes_;
+  state::BarScratch::Element const &side_a_, &side_b_;
   state::BarScratch::Joint& out_;
   bool slip_only_;
   JointJump jump_;

@@ -63,17 +63,22 @@ inline JointJump jump_of(model::BarJoint const& j, Vec3 direction_a, Vec3 direct
   return k;
 }
 
+/// Gradients of the barycentric coordinates of corners 1, 2 and 3 of a tet as it is now [1/m]. Zero in an
+/// inverted tet: it has no inside.
+inline std::array<Vec3, 3> gradients_of(int tet, Nodes const& nodes) {
+  Vec3 const x0 = nodes.current(tet, 0);
+  Vec3 const a = nodes.current(tet, 1) - x0, b = nodes.current(tet, 2) - x0, c = nodes.current(tet, 3) - x0;
+  Vec3 const b_c = cross(b, c);
+  double const det = dot(a, b_c), inverse = det > 0 ? 1 / det : 0;
+  return {inverse * b_c, inverse * cross(c, a), inverse * cross(a, b)};
+}
+
 /// Barycentric weights, in the tet as it is now, of its point with weights w moved by `step` [m]. A force at
 /// a point common to both tets has no couple only if it is shared out by these. The change of the weights is
 /// limited to 1.
-inline std::array<double, 4> moved_weights(int tet, std::array<double, 4> const& w, Vec3 step,
-                                           Nodes const& nodes) {
-  Vec3 const x0 = nodes.current(tet, 0);
-  Vec3 const a = nodes.current(tet, 1) - x0, b = nodes.current(tet, 2) - x0, c = nodes.current(tet, 3) - x0;
-  double const det = dot(a, cross(b, c));
-  if (!(det > 0)) return w; // an inverted tet has no inside
-  Vec3 const share = (1 / det) * step;
-  Vec3 change{dot(share, cross(b, c)), dot(share, cross(c, a)), dot(share, cross(a, b))};
+inline std::array<double, 4> moved_weights(std::array<Vec3, 3> const& gradients,
+                                           std::array<double, 4> const& w, Vec3 step) {
+  Vec3 change{dot(step, gradients[0]), dot(step, gradients[1]), dot(step, gradients[2])};
   double const largest = std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)});
   if (largest > 1) change = change / largest;
   return {w[0] - change.x - change.y - change.z, w[1] + change.x, w[2] + change.y, w[3] + change.z};

@@ -50,8 +50,9 @@ struct BarState {
 /// Work arrays of the bars.
 struct BarScratch {
   struct Element {
-    Vec3 direction; ///< current, unit
-    Vec3 force;     ///< N times direction: on P_0, its opposite on P_1 [N]
+    Vec3 direction;                ///< current, unit
+    Vec3 force;                    ///< N times direction: on P_0, its opposite on P_1 [N]
+    std::array<Vec3, 3> gradients; ///< of the host's barycentric coordinates 1 to 3, now [1/m]
   };
   struct Joint {
     Vec3 force;                         ///< on tet_a, its opposite on tet_b [N]

@@ -8,6 +8,7 @@
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/state/bar_state.hpp"
 #include "fissura/state/contact_state.hpp"
+#include "fissura/state/joint_batch.hpp"
 #include "fissura/state/overlay.hpp"
 #include "fissura/state/rigid_state.hpp"
 
@@ -94,7 +95,9 @@ struct JointSlots {
   core::Buffer<double> force; ///< [joint][3][4] side a; 16 zeros; [joint][3][4] side b of damaged joints [N]
   core::Buffer<int> place;    ///< [block][12][8] face by face, corner by corner: where its force starts
   core::Buffer<float> sign;   ///< [block][4][8] +1, -1, 0 per face
-  std::vector<double> laws;   ///< of the damaged joints, in the order of concrete/joint_batch.hpp
+  std::vector<double> laws;   ///< those that occur, in the order of state/joint_batch.hpp
+  core::Buffer<JointBatch>
+      batches; ///< per block of joints: room for its damaged ones; untouched pages cost nothing
 
   std::size_t zeros() const { return force.size() / 2 - 8; }
   /// Where the force on side a of a joint starts.

@@ -50,7 +50,7 @@ struct Bench {
     concrete::JointPass const joints{&m.joints, s.u.data(), w.joints.force.data(), s.joint_status.data()};
     std::vector<int> marked(m.joints.blocks() * model::block);
     int const count = set.joint_forces(joints, 0, m.joints.blocks(), marked.data());
-    concrete::damaged_joints(set, m, s, w.joints, marked.data(), count);
+    concrete::damaged_joints(set, m, s, w.joints, 0, marked.data(), count);
     concrete::TetPass const tets{&m.tets, s.u.data(),   s.v.data(),    &w.joints, &w.overlay, nullptr,
                                  m.dt,    mass_damping, local_damping, gravity,   gravity};
     sums = set.tet_forces(tets, 0, m.tets.blocks());

@@ -57,6 +57,21 @@ TEST(Threads, zero_means_all) {
   EXPECT_EQ(team()->size(), all.count());
 }
 
+// Requirement: threads work at the same time: two chunks that wait for each other both come to an end.
+TEST(Threads, work_at_the_same_time) {
+  Threads const two(2);
+  std::atomic<int> arrived{0};
+  bool met[2] = {false, false};
+  for_chunks(2, 1, [&](std::size_t chunk, std::size_t, std::size_t) {
+    ++arrived;
+    auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (arrived < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    met[chunk] = arrived == 2;
+  });
+  EXPECT_TRUE(met[0]);
+  EXPECT_TRUE(met[1]);
+}
+
 // Requirement: an error in one chunk reaches the caller, and the threads can work again afterwards.
 TEST(Threads, pass_errors_on) {
   Threads const four(4);

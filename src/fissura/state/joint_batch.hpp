@@ -4,36 +4,32 @@
 
 #include "fissura/model/blocks.hpp"
 
-namespace fissura::concrete {
+namespace fissura::state {
 
-struct JointBatch {
+/// Stays as it is from step to step while its joints do, so that nothing has to be collected anew.
+struct alignas(64) JointBatch {
   static constexpr int width = model::block;
   using Row = std::array<double, width>;
   using Starts = std::array<int, width>; ///< where the data of each joint start, in doubles
 
-  int count = 0; ///< joints in the batch; the lanes behind them repeat the last one
+  int count;     ///< joints in the batch; the lanes behind them repeat the last one
+  bool is_ready; ///< all rows hold for the next step too if the joints are the same
+  bool has_one_law;
+  bool has_event; ///< result: some joint has got its first damage, failed, or moved far
   std::array<int, width> joint;
   std::array<Starts, 6> node;                   ///< a0 a1 a2 b0 b1 b2 in nodal arrays
   std::array<std::array<float, width>, 6> edge; ///< reference edges 0->1, 0->2 [m]
   Starts history;                               ///< in State::joint_history
   Starts force_a, force_b;                      ///< in JointSlots::force
-  Starts law;                                   ///< in DamagedPass::laws
-  Row k, weight;                                ///< [Pa/m]; area/6 [m2]
+  Starts law;                                   ///< in JointSlots::laws
+  Row k, per_k, weight;                         ///< [Pa/m]; [m/Pa]; area/6 [m2]
   Row strength;                                 ///< factor on the strengths, by the strain rate
   Row broken;                                   ///< 1 for crack-face pairs
-  Row damaged, failed; ///< result: 1 where some point has damage, where all points have failed
+  Row damaged, failed; ///< before and after: 1 where some point has damage, where all points have failed
 };
 
 /// The joint laws that occur, as packs read them: twelve doubles each, f_t o_r f_s tan_phi | friction
-/// shear_work mohr_coulomb straight_tension | straight_shear paper 0 0.
+/// shear_work 1/shear_work 1/o_r | mohr_coulomb straight_tension straight_shear paper.
 inline constexpr int doubles_per_law = 12;
 
-/// What the full law reads and writes.
-struct DamagedPass {
-  double const* u;
-  double const* laws;
-  double* history;
-  double* force;
-};
-
-} // namespace fissura::concrete
+} // namespace fissura::state
