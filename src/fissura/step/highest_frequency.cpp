@@ -31,21 +31,23 @@ class Tangent {
   Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
     if (bars_activated) rebar::activate_all(m, s_.bars);
     if (!m.initial_velocity.empty()) std::fill(s_.v.begin(), s_.v.end(), 0.0);
-    force_ = core::Buffer<double>(s_.u.size());
+    if (m.tets.any_viscosity) own_force_ = core::Buffer<double>(s_.u.size());
     forces();
-    if (std::any_of(force_.begin(), force_.end(), [](double f) { return f != 0; }))
-      at_rest_.assign(force_.begin(), force_.end()); // prestress
+    auto const& force = this->force();
+    if (std::any_of(force.begin(), force.end(), [](double f) { return f != 0; }))
+      at_rest_.assign(force.begin(), force.end()); // prestress
     weigh_unknowns();
   }
 
   double largest(bool of_viscosity) {
-    std::vector<double> start(s_.u.size());
+    std::vector<float> start(s_.u.size());
     unsigned x = 1;
-    for (double& value : start) value = (x = x * 1664525u + 1013904223u) / 4294967296.0 - 0.5;
+    for (float& value : start)
+      value = static_cast<float>((x = x * 1664525u + 1013904223u) / 4294967296.0 - 0.5);
     constrain(start);
     return largest_eigenvalue(
-        [&](auto in, auto out) {
-          of_viscosity ? apply(in, out, s_.v, trial_velocity) : apply(in, out, s_.u, trial);
+        [&](auto in, double share, auto out) {
+          of_viscosity ? apply(in, share, out, s_.v, trial_velocity) : apply(in, share, out, s_.u, trial);
         },
         std::move(start), tolerance, m_.tets.count > large ? most_products_on_large : most_products);
   }
@@ -56,32 +58,34 @@ class Tangent {
   void weigh_unknowns() {
     per_unknown_.resize(s_.u.size() / 4);
     for (std::size_t n = 0; n < per_unknown_.size(); ++n)
-      per_unknown_[n] = std::sqrt(m_.tets.inverse_mass[model::at(n / 4, static_cast<int>(n % 4), 4)]);
+      per_unknown_[n] =
+          static_cast<float>(std::sqrt(m_.tets.inverse_mass[model::at(n / 4, static_cast<int>(n % 4), 4)]));
     auto const& b = m_.bonding;
     for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
       for (int i = b.start[c]; i < b.start[c + 1]; ++i)
         per_unknown_[static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)])] *=
-            std::sqrt(b.start[c + 1] - b.start[c]);
+            std::sqrt(static_cast<float>(b.start[c + 1] - b.start[c]));
   }
 
   /// One value for bonded copies, nothing in the padding.
-  void constrain(std::span<double> x) const {
+  void constrain(std::span<float> x) const {
     for (std::size_t n = 0; 4 * n < x.size(); ++n) x[4 * n + 3] = 0;
     auto const& b = m_.bonding;
     for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
       for (int r = 0; r < 3; ++r) {
-        auto at = [&](int i) -> double& {
+        auto at = [&](int i) -> float& {
           return x[4 * static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)]) +
                    static_cast<std::size_t>(r)];
         };
         double mean = 0;
         for (int i = b.start[c]; i < b.start[c + 1]; ++i) mean += at(i) / (b.start[c + 1] - b.start[c]);
-        for (int i = b.start[c]; i < b.start[c + 1]; ++i) at(i) = mean;
+        for (int i = b.start[c]; i < b.start[c + 1]; ++i) at(i) = static_cast<float>(mean);
       }
   }
 
-  /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size.
-  void apply(std::span<double const> in, std::span<double> out, core::Buffer<double>& field, double length) {
+  /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size - share out.
+  void apply(std::span<float const> in, double share, std::span<float> out, core::Buffer<double>& field,
+             double length) {
     auto each_node = [&](auto const& body) {
       parallel::for_chunks(per_unknown_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n)
@@ -90,31 +94,36 @@ class Tangent {
     };
     double largest = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
-      largest = std::max(largest, per_unknown_[i / 4] * std::abs(in[i]));
+      largest = std::max<double>(largest, per_unknown_[i / 4] * std::abs(in[i]));
     double const size = length / largest, inverse = 1 / size;
     each_node([&](std::size_t i, double factor) { field[i] = size * factor * in[i]; });
     forces();
-    each_node([&](std::size_t i, double factor) { out[i] = -factor * inverse * (force_[i] - rest(i)); });
+    auto const& force = this->force();
+    each_node([&](std::size_t i, double factor) {
+      out[i] = static_cast<float>(-factor * inverse * (force[i] - rest(i)) - share * out[i]);
+    });
     std::fill(field.begin(), field.end(), 0.0);
     constrain(out);
   }
 
   double rest(std::size_t i) const { return at_rest_.empty() ? 0 : at_rest_[i]; }
+  /// Without viscosity nobody reads velocities: their place takes the forces.
+  core::Buffer<double>& force() { return m_.tets.any_viscosity ? own_force_ : s_.v; }
   void forces() {
     concrete::joint_forces(m_, s_, w_);
     rebar::bar_joint_forces(m_, s_, w_);
     rebar::bar_forces(m_, s_, w_);
     w_.overlay.clear();
     rebar::gather_bar_forces(m_, w_);
-    concrete::corner_forces(m_, s_, w_, force_);
+    concrete::corner_forces(m_, s_, w_, force());
   }
 
   Model const& m_;
   State s_;
   state::Scratch w_;
-  core::Buffer<double> force_;
-  std::vector<double> at_rest_;     ///< empty where there are no forces at rest
-  std::vector<double> per_unknown_; ///< per node
+  core::Buffer<double> own_force_;
+  std::vector<double> at_rest_;    ///< empty where there are no forces at rest
+  std::vector<float> per_unknown_; ///< per node
 };
 
 } // namespace

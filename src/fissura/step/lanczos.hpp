@@ -6,12 +6,12 @@
 
 namespace fissura::step {
 
-/// out = A in; both have the size of the start vector.
-using Product = std::function<void(std::span<double const> in, std::span<double> out)>;
+/// out = A in - share out; both have the size of the start vector. Single precision: two vectors are all that
+/// the search needs in memory, and the eigenvalue is wanted to a thousandth.
+using Product = std::function<void(std::span<float const> in, double share, std::span<float> out)>;
 
 /// Largest eigenvalue of A, up to `tolerance` of it: the Lanczos value plus its residual. Stops after
 /// `most_steps` products. `start` must be in the space on which A acts.
-double largest_eigenvalue(Product const& product, std::vector<double> start, double tolerance,
-                          int most_steps);
+double largest_eigenvalue(Product const& product, std::vector<float> start, double tolerance, int most_steps);
 
 } // namespace fissura::step

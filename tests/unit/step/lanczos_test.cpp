@@ -9,23 +9,26 @@ namespace fissura::step {
 namespace {
 
 /// A chain of n masses: -x_(i-1) + 2 x_i - x_(i+1); its largest eigenvalue is 2 + 2 cos(pi/(n + 1)).
-void chain(std::span<double const> in, std::span<double> out) {
-  for (std::size_t i = 0; i < in.size(); ++i)
-    out[i] = 2 * in[i] - (i > 0 ? in[i - 1] : 0) - (i + 1 < in.size() ? in[i + 1] : 0);
+void chain(std::span<float const> in, double share, std::span<float> out) {
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    double const product = 2. * in[i] - (i > 0 ? in[i - 1] : 0.) - (i + 1 < in.size() ? in[i + 1] : 0.);
+    out[i] = static_cast<float>(product - share * out[i]);
+  }
 }
 
-std::vector<double> start(std::size_t n) {
-  std::vector<double> x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = std::sin(1.0 + 37.0 * static_cast<double>(i * i % 101));
+std::vector<float> start(std::size_t n) {
+  std::vector<float> x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = std::sin(1.0f + 37.0f * static_cast<float>(i * i % 101));
   return x;
 }
 
-// Requirement: small problems are solved to rounding, since the iteration runs until it is exhausted.
+// Requirement: small problems are solved to the rounding of single precision, since the iteration runs until
+// it is exhausted.
 TEST(Lanczos, solves_small_problems) {
   for (std::size_t const n : {1, 2, 7, 20}) {
     auto x = start(n);
     double const exact = 2 + 2 * std::cos(std::numbers::pi / static_cast<double>(n + 1));
-    EXPECT_NEAR(largest_eigenvalue(chain, x, 1e-12, 100), exact, 1e-9) << n;
+    EXPECT_NEAR(largest_eigenvalue(chain, x, 1e-12, 100), exact, 1e-5) << n;
   }
 }
 
