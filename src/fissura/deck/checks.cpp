@@ -245,6 +245,24 @@ void check_duration(Reader& reader) {
   reader.error(place, "the run needs an end: `end_time` in [run], or [[stage]] tables");
 }
 
+void check_pace(Reader& reader) {
+  auto const& c = reader.the_case;
+  if (!(c.run.pace > 1)) return;
+  auto const refuse = [&](std::string_view what) {
+    reader.error(
+        reader.place(&c.run, "pace"),
+        fmt::format(
+            "`pace` is for loading in which inertia does not matter; the deck has {}, which happen in "
+            "their own time: remove one of the two",
+            what));
+  };
+  if (!c.impactors.empty()) refuse("impactors");
+  if (!c.initial_velocities.empty()) refuse("initial velocities");
+  if (!c.absorbing.empty()) refuse("absorbing boundaries");
+  for (auto const& m : c.motions)
+    if (m.record) return refuse("acceleration records");
+}
+
 } // namespace
 
 void name_the_unnamed(model::Case& c) {
@@ -269,6 +287,7 @@ void check_case(Reader& reader) {
   check_gauges(reader);
   check_paths(reader);
   check_duration(reader);
+  check_pace(reader);
 }
 
 } // namespace fissura::deck

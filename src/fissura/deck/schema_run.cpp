@@ -40,6 +40,15 @@ Section run_section() {
       .range({1, 1e9});
   f.number("residual_warn", &RunSpec::residual_warn, "Energy residual that warns.").positive();
   f.number("residual_stop", &RunSpec::residual_stop, "Energy residual that stops the run.").positive();
+  f.number(
+       "pace", &RunSpec::pace,
+       "Quasi-static pace control: the loads follow their curves up to so many times faster, as far as "
+       "`pace_kinetic` allows, and more slowly while it cracks. Durations and curves are then in the time of "
+       "the loads. 1: off. Only for loading in which inertia should not matter.")
+      .range({1, 1000});
+  f.number("pace_kinetic", &RunSpec::pace_kinetic,
+           "Kinetic over internal energy that the pace control aims at.")
+      .range({0, 1, true, false});
   return s;
 }
 

@@ -19,7 +19,7 @@ Vec3 gravity_at(Model const& m, State const& s, double t) {
 
 void applied_forces(Model const& m, State const& s, Scratch& w) {
   for (auto const& load : m.forces) {
-    double const value = value_at(load.curve, s, s.time);
+    double const value = value_at(load.curve, s, s.load_time());
     if (value == 0) continue;
     for (auto const& e : load.entries) {
       double* const f = w.overlay.at(e.slot) + 4 * e.corner;
@@ -31,7 +31,8 @@ void applied_forces(Model const& m, State const& s, Scratch& w) {
 double applied_work(Model const& m, State const& s) {
   double work = 0;
   for (auto const& load : m.forces) {
-    double const mean = 0.5 * (value_at(load.curve, s, s.time) + value_at(load.curve, s, s.time + m.dt));
+    double const mean =
+        0.5 * (value_at(load.curve, s, s.load_time()) + value_at(load.curve, s, s.load_time(m.dt)));
     double along = 0;
     for (auto const& e : load.entries) {
       double const* const v = s.v.data() + 4 * model::node_of(m.overlay_tets[e.slot], e.corner);

@@ -19,10 +19,10 @@ constexpr std::size_t nodes_per_chunk = 512;
 double velocity_of(model::Prescribed const& p, Model const& m, State const& s) {
   if (p.path >= 0) {
     auto const i = static_cast<std::size_t>(p.path);
-    return p.scale * path_velocity(m.paths[i], s.paths[i], s.time + 0.5 * m.dt);
+    return p.scale * s.pace * path_velocity(m.paths[i], s.paths[i], s.load_time(0.5 * m.dt));
   }
-  if (p.is_velocity) return value_at(p.motion, s, s.time + 0.5 * m.dt);
-  return (value_at(p.motion, s, s.time + m.dt) - value_at(p.motion, s, s.time)) / m.dt;
+  if (p.is_velocity) return s.pace * value_at(p.motion, s, s.load_time(0.5 * m.dt));
+  return (value_at(p.motion, s, s.load_time(m.dt)) - value_at(p.motion, s, s.load_time())) / m.dt;
 }
 
 /// What imposing one prescribed component did to a range of its nodes.

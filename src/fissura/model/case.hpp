@@ -314,6 +314,8 @@ struct RunSpec {
   long max_steps = 0;       ///< 0 = no limit
   int energy_every = 50;    ///< steps between two readings of the ledger
   double residual_warn = 0.01, residual_stop = 0.05;
+  double pace = 1;            ///< > 1: loads run up to so many times faster than their curves
+  double pace_kinetic = 0.01; ///< kinetic over internal energy that this may cost
 };
 struct GaugeSpec {
   enum class Kind {

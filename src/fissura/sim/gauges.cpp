@@ -349,7 +349,7 @@ void Gauges::begin_stage(Model const& m, State const& s) {
   for (std::size_t i = 0; i < gauges_.size(); ++i) {
     auto const& g = gauges_[i];
     if (g.zero_stage != s.stage) continue;
-    zero_[i] = g.reads_forces ? raw_force(m, s, g, s.time) : raw_state(m, s, g);
+    zero_[i] = g.reads_forces ? raw_force(m, s, g, s.load_time()) : raw_state(m, s, g);
     zeroed_[i] = 1;
   }
 }

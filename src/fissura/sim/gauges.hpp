@@ -43,7 +43,7 @@ class Gauges {
 
   /// Displacements, strains and bars at u_n: before the step moves on.
   void read_state(model::Model const& m, state::State const& s);
-  /// Reactions and forces at u_n: after the step has found them. `time` is that of u_n.
+  /// Reactions and forces at u_n: after the step has found them. `time` is the load time of u_n.
   void read_forces(model::Model const& m, state::State const& s, double time);
   /// Takes the present readings as the zero of the gauges that name the stage that has just begun. (For the
   /// first stage the zero is the first reading.)

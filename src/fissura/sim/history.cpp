@@ -18,6 +18,8 @@ History::History(std::string const& path, model::Model const& m, Gauges const& g
   for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
                             "bar_joints_yielded", "bars_broken", "fragments"})
     columns.push_back({count, "-"});
+  is_paced_ = m.source.run.pace > 1;
+  if (is_paced_) columns.push_back({"load_time", "s"}), columns.push_back({"pace", "-"});
   if (!path.empty())
     csv_ = kept > 0 ? std::make_unique<output::CsvWriter>(path, columns, kept)
                     : std::make_unique<output::CsvWriter>(path, columns);
@@ -52,8 +54,8 @@ std::uint64_t History::flush() {
   return csv_->bytes();
 }
 
-void History::row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
-                  step::EnergyBalance const& e, Monitor const& monitor) {
+void History::row(double time, double load_time, model::Model const& m, state::State const& s,
+                  Gauges const& gauges, step::EnergyBalance const& e, Monitor const& monitor) {
   values_.assign(gauges.values().begin(), gauges.values().end());
   values_.insert(values_.end(), s.reaction.begin(), s.reaction.end());
   for (auto const& [name, value] : e.accounts()) values_.push_back(value);
@@ -63,6 +65,7 @@ void History::row(double time, model::Model const& m, state::State const& s, Gau
   for (int const n : {joints.damaged, joints.cracked, joints.broken, bars.activated, bars.yielded,
                       bars.broken, count_fragments_(m, s, joints.broken)})
     values_.push_back(n);
+  if (is_paced_) values_.push_back(load_time), values_.push_back(s.pace);
   rows_.push_back(time);
   rows_.insert(rows_.end(), values_.begin(), values_.end());
   if (csv_) csv_->row(time, values_);

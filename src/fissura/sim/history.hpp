@@ -17,7 +17,7 @@ class History {
   /// An empty path: in memory only. `kept` > 0: goes on with the first bytes of a file (see
   /// output::CsvWriter).
   History(std::string const& path, model::Model const& m, Gauges const& gauges, std::uint64_t kept = 0);
-  void row(double time, model::Model const& m, state::State const& s, Gauges const& gauges,
+  void row(double time, double load_time, model::Model const& m, state::State const& s, Gauges const& gauges,
            step::EnergyBalance const& e, Monitor const& monitor);
   void close() {
     if (csv_) csv_->close();
@@ -32,6 +32,7 @@ class History {
  private:
   void read_rows(std::string const& path);
   std::unique_ptr<output::CsvWriter> csv_;
+  bool is_paced_ = false;
   std::vector<output::Column> columns_;
   std::vector<double> values_, rows_;
   FragmentCount count_fragments_;

@@ -70,14 +70,14 @@ Trouble Monitor::unbalanced(double residual, Model const& m, State const& s) {
 }
 
 void Monitor::weigh_forces(Model const& m, State const& s) {
-  Vec3 resultant = m.total_mass * loads::gravity_at(m, s, s.time);
+  Vec3 resultant = m.total_mass * loads::gravity_at(m, s, s.load_time());
   double sum = norm(resultant);
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
     resultant[m.prescribed[i].axis] += s.reaction[i];
     sum += std::abs(s.reaction[i]);
   }
   for (auto const& f : m.forces) {
-    Vec3 const force = loads::value_at(f.curve, s, s.time) * f.total();
+    Vec3 const force = loads::value_at(f.curve, s, s.load_time()) * f.total();
     resultant += force;
     sum += norm(force);
   }

@@ -23,6 +23,7 @@
 #include "fissura/sim/identity.hpp"
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/monitor.hpp"
+#include "fissura/sim/pace.hpp"
 #include "fissura/sim/progress.hpp"
 #include "fissura/sim/report_writer.hpp"
 #include "fissura/sim/requests.hpp"
@@ -66,7 +67,7 @@ class Run::Impl {
       : options_(options), requests_(options.signal, options.walltime),
         threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(make_log(options.quiet)),
         m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_, s_)), gauges_(m_),
-        stops_(c, gauges_), monitor_(m_), guards_(m_), end_(planned_time(m_)),
+        stops_(c, gauges_), monitor_(m_), guards_(m_), pace_(m_), end_(planned_time(m_)),
         history_due_(c.output.history_every > 0 ? c.output.history_every
                                                 : end_ / std::max(1, c.output.history_points)),
         frame_due_(c.output.frames_every > 0 ? c.output.frames_every
@@ -152,7 +153,7 @@ class Run::Impl {
       w_.overlay.slot_for(tet);
     }
     restored_ = path, kept_step_ = s_.step;
-    progress_.begin_at(s_.time / end());
+    progress_.begin_at(s_.load_time() / end());
   }
 
   /// Writes a checkpoint at this step: every file is as long as it says. A state that has gone wrong never
@@ -184,7 +185,7 @@ class Run::Impl {
     auto const& o = m_.source.output;
     if (requests_.for_output()) {
       fields_->write(m_, s_);
-      if (frame_due_.at(s_.time)) frame_due_.done(s_.time);
+      if (frame_due_.at(s_.load_time())) frame_due_.done(s_.load_time());
       log_->info("t = {:.5g} s: a frame and a checkpoint, as the file `output_now` asks", s_.time);
       return true;
     }
@@ -227,32 +228,33 @@ class Run::Impl {
     if (auto const asked = requests_.to_stop()) return stop("stopped", *asked);
     if (m_.source.run.max_steps > 0 && s_.step >= m_.source.run.max_steps)
       return stop("stopped", "max_steps reached");
-    if (s_.time < end()) return false;
+    if (s_.load_time() < end()) return false;
     return end() < end_ ? stop("stopped", "time of --until reached") : true;
   }
 
   /// One time step and what is due with it; true if it was the last one.
   bool advance() {
-    double const time = s_.time;
-    bool const row = history_due_.at(time), frame = frame_due_.at(time) && fields_;
+    double const time = s_.time, load_time = s_.load_time();
+    bool const row = history_due_.at(load_time), frame = frame_due_.at(load_time) && fields_;
     bool const beat = s_.step % m_.source.run.energy_every == 0, reading = row || beat;
-    if (frame) fields_->write(m_, s_), frame_due_.done(time);
+    if (frame) fields_->write(m_, s_), frame_due_.done(load_time);
     bool const steering = beat && !m_.paths.empty(); // never on rows: output settings change no result
     if (row || steering) gauges_.read_state(m_, s_);
     step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
     if (auto trouble = guards_.after_step(m_, s_)) throw RunFailure(std::move(*trouble));
     if (!reading) return false;
     if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
-    if (row || steering) gauges_.read_forces(m_, s_, time);
+    if (row || steering) gauges_.read_forces(m_, s_, load_time);
     if (row) {
-      write_row(time);
-      history_due_.done(time);
+      history_->row(time, load_time, m_, s_, gauges_, energy_, monitor_);
+      history_due_.done(load_time);
       if (auto const met = stops_.met(gauges_)) {
         result_.reason = *met;
         return true;
       }
     }
     if (steering && follow_paths()) return true;
+    if (beat && pace_.is_on()) pace_.steer(energy_.kinetic, energy_.internal(), s_);
     if (beat) change_stage(); // on a beat of its own, so that output settings change no result
     show_progress();
     return false;
@@ -264,7 +266,7 @@ class Run::Impl {
     for (std::size_t i = 0; i < m_.paths.size(); ++i) {
       auto const& path = m_.paths[i];
       if (path.stage > s_.stage || loads::path_ended(path, s_.paths[i])) continue;
-      int const reached = loads::follow_path(path, s_.paths[i], s_.time, gauges_.values());
+      int const reached = loads::follow_path(path, s_.paths[i], s_.load_time(), gauges_.values());
       for (int k = s_.paths[i].target - reached; k < s_.paths[i].target; ++k)
         log_->info("t = {:.5g} s: {}", s_.time, describe_target(path, k));
       if (!path.stops || !loads::path_ended(path, s_.paths[i])) continue;
@@ -282,24 +284,22 @@ class Run::Impl {
                        target.value);
   }
 
-  void write_row(double time) { history_->row(time, m_, s_, gauges_, energy_, monitor_); }
-
   /// The next stage begins when the present one is over or has settled.
   void change_stage() {
     auto const& stage = m_.stages[s_.stage];
-    double const since = s_.time - s_.stage_start[s_.stage];
+    double const since = s_.load_time() - s_.stage_start[s_.stage];
     bool const quiet = stage.settle > 0 && energy_.internal() > 0 &&
                        energy_.kinetic < stage.settle * energy_.internal() &&
                        monitor_.last_imbalance() < 0.05;
     settled_ = quiet && !loads_change() ? settled_ + 1 : 0;
     if (since < stage.duration && settled_ < 3) return;
     if (s_.stage + 1 >= static_cast<int>(m_.stages.size())) {
-      if (settled_ >= 3) end_ = s_.time;
+      if (settled_ >= 3) end_ = s_.load_time();
       return;
     }
     settled_ = 0;
     ++s_.stage;
-    s_.stage_start[s_.stage] = s_.time;
+    s_.stage_start[s_.stage] = s_.load_time();
     gauges_.begin_stage(m_, s_);
     end_with_the_last_stage();
     log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
@@ -309,7 +309,7 @@ class Run::Impl {
   bool loads_change() const {
     auto changes = [&](model::TimedCurve const& c) {
       if (c.stage > s_.stage) return false;
-      return s_.time - (c.stage < 0 ? c.start : s_.stage_start[c.stage]) < loads::length_of(c.curve);
+      return s_.load_time() - (c.stage < 0 ? c.start : s_.stage_start[c.stage]) < loads::length_of(c.curve);
     };
     bool any = m_.gravity.on && changes(m_.gravity.curve);
     for (std::size_t i = 0; i < m_.prescribed.size(); ++i)
@@ -324,7 +324,7 @@ class Run::Impl {
   /// A stage that has settled early brings the end of the run forward, unless the deck names an end time.
   void end_with_the_last_stage() {
     if (m_.source.run.end_time > 0) return;
-    double end = s_.time;
+    double end = s_.load_time();
     for (auto i = static_cast<std::size_t>(s_.stage); i < m_.stages.size(); ++i) end += m_.stages[i].duration;
     end_ = end;
   }
@@ -333,7 +333,7 @@ class Run::Impl {
     report_page_.meanwhile(progress_.elapsed(), *log_);
     bool const terminal = ::isatty(STDOUT_FILENO) && !options_.quiet;
     if (!progress_.due(terminal ? 1 : 10)) return;
-    double const done = s_.time / end(), left = progress_.eta(done);
+    double const done = s_.load_time() / end(), left = progress_.eta(done);
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
     std::string const line =
@@ -394,6 +394,7 @@ class Run::Impl {
     j["dt"] = m_.dt;
     j["steps"] = s_.step;
     j["time"] = s_.time;
+    if (pace_.is_on()) j["mean_pace"] = s_.load_time() / std::max(s_.time, 1e-300);
     j["wall_seconds"] = wall;
     j["tet_steps_per_second"] = static_cast<double>(s_.step) * m_.tet_count() / std::max(wall, 1e-9);
     j["joints_damaged"] = joints.damaged;
@@ -466,6 +467,7 @@ class Run::Impl {
   Stops stops_;
   Monitor monitor_;
   Guards guards_;
+  PaceControl pace_;
   std::optional<Trouble> trouble_; ///< what ended the run, if it failed
   Progress progress_;
   double end_; ///< when the stages end, as far as known [s]

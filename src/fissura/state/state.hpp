@@ -62,6 +62,9 @@ struct Ledger {
 };
 
 struct State {
+  /// Time of the loads, `ahead` seconds after now: with pace control (sim/pace.hpp) it runs faster than time.
+  double load_time(double ahead = 0) const { return time + lead + pace * ahead; }
+
   long step = 0;                            ///< completed steps: u is at step * dt
   double time = 0;                          ///< [s]
   int stage = 0;                            ///< current stage
@@ -77,7 +80,9 @@ struct State {
   std::vector<double> prescribed_velocity; ///< per Prescribed: at n - 1/2 [m/s]
   std::vector<std::uint8_t> held;          ///< per Prescribed: has begun
   std::vector<PathState> paths;            ///< per MotionPath
-  std::vector<double> stage_start;         ///< actual start time of each stage (a stage may end early) [s]
+  double pace = 1, pace_growth = 1;        ///< seconds of the loads' curves per second; its factor per step
+  double lead = 0;                         ///< by which the loads are ahead of the time [s]
+  std::vector<double> stage_start; ///< actual start of each stage in load time (a stage may end early) [s]
   Ledger ledger;
 };
 

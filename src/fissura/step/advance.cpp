@@ -59,8 +59,8 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, Effects c
 void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   s.time = static_cast<double>(s.step) * m.dt;
   double const impact = loads::take_hold(m, s); // where supports and motions begin
-  Vec3 const gravity = loads::gravity_at(m, s, s.time);
-  Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.time + m.dt));
+  Vec3 const gravity = loads::gravity_at(m, s, s.load_time());
+  Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.load_time(m.dt)));
 
   loads::note_velocities(m, s, w);
   contact::refresh_pairs(m, s, w);  // only when its skin is used up
@@ -80,6 +80,8 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
   post_energy(m, s, sums, {impact, waves, motion, impactors}, reading);
 
+  s.lead += (s.pace - 1) * m.dt;
+  s.pace *= s.pace_growth;
   s.step += 1;
   s.time = static_cast<double>(s.step) * m.dt;
 }

@@ -241,6 +241,12 @@ std::vector<Fault> const faults{
      "kg\"\n"
      "moves = [\"z\"]\nvelocity = [\"1 m/s\", \"0 m/s\", \"-1 m/s\"]\n[[stop]]",
      "54:12: error: `velocity` has a component along x, which `moves` does not name"},
+    {"pace with an impactor", "[[stop]]",
+     "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\ncentre = [\"0 m\", \"0 m\", \"1 m\"]\nmass = \"5 "
+     "kg\"\n[run]\npace = 3\n[[stop]]",
+     "54:8: error: `pace` is for loading in which inertia does not matter; the deck has impactors, which "
+     "happen "
+     "in their own time: remove one of the two"},
     {"weight for a mass", "[[stop]]",
      "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\ncentre = [\"0 m\", \"0 m\", \"1 m\"]\nmass = \"5 "
      "kN\"\n"

@@ -13,19 +13,20 @@ namespace {
 
 using namespace support;
 
-/// A box whose nodes fly apart at random: its joints crack, break, close, slide off and are released.
+/// A box that flies apart while its nodes shake: its joints crack, break, close, part and are released.
 struct Box {
   model::Model m;
   state::State s;
   state::Scratch w;
 
-  explicit Box(double speed) : m(concrete_model(random_box_mesh(5, {3, 3, 2}, {0.3, 0.3, 0.2}))) {
+  Box() : m(concrete_model(random_box_mesh(5, {3, 3, 2}, {0.3, 0.3, 0.2}))) {
     m.source.contact.on = true;
     m.dt = 2e-7;
     s = concrete_state(m);
     w = concrete_scratch(m);
     Random random(3);
-    for (int n = 0; n < node_count(m); ++n) set_node(s.v, n, random.vector(-speed, speed));
+    for (int n = 0; n < node_count(m); ++n)
+      set_node(s.v, n, 300 * (position(m, n) - Vec3{0.15, 0.15, 0.1}) + random.vector(-10, 10));
   }
   void step() {
     concrete::joint_forces(m, s, w);
@@ -52,9 +53,9 @@ template <class T> bool same_bits(core::Buffer<T> const& a, core::Buffer<T> cons
 // Requirement: batches that stay give the same bits as batches collected anew in every step, through first
 // damage, failure, sliding off and release.
 TEST(DamagedJoints, batches_that_stay_change_nothing) {
-  Box stays(10), anew(10);
+  Box stays, anew;
   long most_ready = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 10'000; ++i) {
     stays.step();
     anew.forget_batches();
     anew.step();
@@ -68,14 +69,14 @@ TEST(DamagedJoints, batches_that_stay_change_nothing) {
   EXPECT_TRUE(same_bits(stays.s.joint_status, anew.s.joint_status));
 }
 
-// Requirement: tables made from a state, as at a restart, go on with the same bits as those that have followed
-// it: sides of damaged joints apart, released joints gone.
+// Requirement: tables made from a state, as at a restart, go on with the same bits as those that have
+// followed it: sides of damaged joints apart, released joints gone.
 TEST(DamagedJoints, tables_made_from_a_state_go_on_alike) {
-  Box box(10);
-  for (int i = 0; i < 15'000; ++i) box.step();
+  Box box;
+  for (int i = 0; i < 6'000; ++i) box.step();
   ASSERT_GT(box.count(state::JointStatus::released), 0);
   ASSERT_GT(box.count(state::JointStatus::damaged) + box.count(state::JointStatus::broken), 0);
-  Box again(10);
+  Box again;
   std::copy(box.s.u.begin(), box.s.u.end(), again.s.u.begin());
   std::copy(box.s.v.begin(), box.s.v.end(), again.s.v.begin());
   std::copy(box.s.joint_status.begin(), box.s.joint_status.end(), again.s.joint_status.begin());
