@@ -75,6 +75,7 @@ class Run::Impl {
                                              : 0) {}
 
   void open() {
+    identity_ = identify(m_, options_.version);
     if (!options_.restart.empty()) restore(checkpoint::find(options_.restart));
     if (!options_.out.empty()) open_folder();
     history_ = std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_,
@@ -136,11 +137,10 @@ class Run::Impl {
   void restore(std::string const& path) {
     std::string const contents = checkpoint::read_file(path);
     checkpoint::Loader load(contents, path);
-    Identity const now = identify(m_, options_.version);
     Identity saved;
     load(saved);
-    warnings_ = compare(saved, now, load);
-    m_.dt = saved.dt;
+    warnings_ = compare(saved, identity_, load);
+    m_.dt = identity_.dt = saved.dt;
     visit(load);
     load.finish();
     checkpoint::validate(m_, s_, load);
@@ -166,8 +166,7 @@ class Run::Impl {
     marks_ = {history_->flush(), size_of(options_.out + "/log.txt"), fields_->frames()};
     slots_.clear();
     for (int const tet : w_.overlay.tets) slots_.push_back({tet});
-    Identity const identity = identify(m_, options_.version);
-    std::string const path = store_->write([&](checkpoint::Saver& save) { save(identity), visit(save); });
+    std::string const path = store_->write([&](checkpoint::Saver& save) { save(identity_), visit(save); });
     wall_before_ = before;
     kept_at_ = progress_.elapsed(), kept_step_ = s_.step;
     log_->debug("t = {:.9g} s, step {}: checkpoint {}", s_.time, s_.step, path);
@@ -480,6 +479,7 @@ class Run::Impl {
   RunResult result_{"complete", "end time reached", options_.out};
   bool ended_ = false;
 
+  Identity identity_;                        ///< of this deck, mesh and program
   std::unique_ptr<checkpoint::Store> store_; ///< none without a run folder
   FileMarks marks_;                          ///< at the last checkpoint
   std::vector<Slot> slots_;                  ///< at the last checkpoint
