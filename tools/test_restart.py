@@ -101,6 +101,11 @@ class GoingOn(Folder):
             whole, _ = self.compare(SMASHED, steps, at, ("--set", "output.hash_every=50"), threads=1 + seed % 2)
         self.assertGreater(summary(whole)["joints_broken"], 50)
 
+    def test_with_pace_control(self):
+        """Requirement: the same where the loads have a time of their own."""
+        deck = ROOT / "examples" / "04_tie_to_failure" / "case.toml"
+        self.compare(deck, 1500, [611, 1200], ("--set", "run.pace=8", "--set", "mesh.box.0.cells=[4,3,3]"))
+
     def test_every_example(self):
         """Requirement: the same for every example, at a random step of its short version."""
         for deck in sorted((ROOT / "examples").glob("*/case.toml")):
