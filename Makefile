@@ -95,14 +95,17 @@ docs: setup-docs
 	mkdocs build --quiet --site-dir $(BUILD)/docs
 	@echo "$(BUILD)/docs/index.html"
 
-# Starts from the examples' decks and keeps what it learns in build-fuzz/corpus.
+# One reader after the other, FUZZ_SECONDS each. Starts from the corpus and the examples' decks, keeps what it learns in
+# build-fuzz/corpus.
+FUZZ_READERS ?= deck mesh record
 fuzz: setup-fuzz
 	cmake --preset fuzz
-	cmake --build build-fuzz -j $(JOBS) --target fuzz_deck
-	mkdir -p build-fuzz/corpus
-	for deck in examples/*/case.toml; do cp $$deck build-fuzz/corpus/$$(basename $$(dirname $$deck)).toml; done
-	build-fuzz/tests/fuzz/fuzz_deck -max_total_time=$(FUZZ_SECONDS) -timeout=20 -artifact_prefix=build-fuzz/ \
-	  build-fuzz/corpus
+	cmake --build build-fuzz -j $(JOBS) --target $(addprefix fuzz_,$(FUZZ_READERS))
+	mkdir -p $(addprefix build-fuzz/corpus/,$(FUZZ_READERS))
+	for deck in examples/*/case.toml; do cp $$deck build-fuzz/corpus/deck/$$(basename $$(dirname $$deck)).toml; done
+	set -e; for reader in $(FUZZ_READERS); do mkdir -p tests/fuzz/corpus/$$reader; \
+	  build-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -max_len=65536 -rss_limit_mb=4096 \
+	  -print_final_stats=1 -artifact_prefix=build-fuzz/$$reader- build-fuzz/corpus/$$reader tests/fuzz/corpus/$$reader; done
 
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

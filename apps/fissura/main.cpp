@@ -1,6 +1,10 @@
 // The command line: parse, call the library, print, choose the exit code. Exit codes: 0 complete or stopped
 // as asked, 1 failed run, 2 bad input, 3 input/output failure.
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -46,9 +50,7 @@ int check(std::string const& deck, std::vector<std::string> const& set) {
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   CLI::App app{"Fissura: how reinforced concrete cracks, slips, yields and falls apart (3-D finite-discrete "
                "elements)"};
   app.set_version_flag("--version", FISSURA_VERSION);
@@ -118,8 +120,21 @@ int main(int argc, char** argv) {
   } catch (std::bad_alloc const&) {
     fmt::print(stderr, "fissura: out of memory; `fissura check` tells what a case needs\n");
     return 1;
+  } catch (std::system_error const& e) { // of the file system, or of a terminal that takes no more
+    fmt::print(stderr, "fissura: {}\n", e.what());
+    return 3;
   } catch (std::exception const& e) {
     fmt::print(stderr, "fissura: internal error: {}\n", e.what());
     return 1;
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows beyond its limit is an error of its write, not the end
+  int const code = program(argc, argv);
+  if (std::fflush(stdout) == 0) return code;
+  fmt::print(stderr, "fissura: cannot write to the standard output: {}\n", std::strerror(errno));
+  return code == 0 ? 3 : code;
 }

@@ -7,6 +7,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/deck/deck.hpp"
+#include "memory_limit.hpp"
 
 namespace {
 std::optional<fissura::model::Case> read(std::string_view text) {
@@ -19,7 +20,10 @@ std::optional<fissura::model::Case> read(std::string_view text) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
-  auto const the_case = read({reinterpret_cast<char const*>(data), size});
+  std::optional<fissura::model::Case> the_case;
+  fissura::fuzz::read_within_limit(size, [&] {
+    the_case = read({reinterpret_cast<char const*>(data), size});
+  });
   // An error here escapes and counts as a crash: the program would have refused its own text.
   if (the_case) fissura::deck::read_case_text(fissura::deck::echo(*the_case), "echo.toml");
   return 0;

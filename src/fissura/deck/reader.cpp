@@ -10,7 +10,7 @@
 namespace fissura::deck {
 namespace {
 
-constexpr std::size_t most_findings = 100;
+constexpr std::size_t most_findings = 100, most_kept = 1000; // shown, and remembered
 
 /// The section that has a key of this name: "it belongs to [run]" helps more than a guess at the spelling.
 std::string belongs_to(std::string_view key) {
@@ -23,7 +23,10 @@ std::string belongs_to(std::string_view key) {
 } // namespace
 
 void Reader::error(core::Place const& place, std::string message) {
-  findings.push_back({place, std::move(message)});
+  if (findings.size() < most_kept)
+    findings.push_back({place, std::move(message)});
+  else
+    ++unheard;
 }
 
 void Reader::throw_findings() const {
@@ -34,7 +37,7 @@ void Reader::throw_findings() const {
            std::tie(b.place.file, b.place.line, b.place.column);
   });
   if (sorted.size() > most_findings) {
-    std::size_t const more = sorted.size() - most_findings;
+    std::size_t const more = errors() - most_findings;
     sorted.resize(most_findings);
     sorted.push_back({core::Place{sorted.front().place.file, 0, 0}, fmt::format("and {} more errors", more)});
   }

@@ -16,7 +16,7 @@ class Reader {
 
   void error(core::Place const& place, std::string message);
   void error(Node const& node, std::string message) { error(node.place, std::move(message)); }
-  std::size_t errors() const { return findings.size(); }
+  std::size_t errors() const { return findings.size() + unheard; }
   /// Throws core::InputError with all findings in the order of the deck, if there are any.
   void throw_findings() const;
 
@@ -43,7 +43,8 @@ class Reader {
   void name_unknown_keys(std::vector<Key> const& keys, std::string const& label, Node const& table,
                          std::vector<std::string_view> const& also_known);
 
-  std::vector<core::Diagnostic> findings;
+  std::vector<core::Diagnostic> findings; ///< the first thousand
+  std::size_t unheard = 0;                ///< how many more there were
   std::map<Name, core::Place> places;
   std::map<void const*, core::Place> record_places;
   std::set<Name> faulty;

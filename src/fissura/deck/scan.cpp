@@ -83,13 +83,18 @@ bool ends_dotted_key(unsigned char b) {
   return b == '\n' || b == '=' || b == ',' || b == '[' || b == ']' || b == '{' || b == '}' || b == '#';
 }
 
+/// A byte that a value or a table may follow.
+bool begins_value(unsigned char b) {
+  return b == '=' || b == ',' || b == '[' || b == '{';
+}
+
 } // namespace
 
 void check_bytes(std::string_view text, std::string const& file) {
   if (text.size() > largest_deck)
     throw core::InputError({file}, fmt::format("the deck is larger than {} MiB", largest_deck >> 20U));
   Cursor c{text, file};
-  int dots = 0;
+  int dots = 0, values = 0;
   while (!c.done()) {
     unsigned char const b = c.byte();
     if (b == '"' || b == '\'') {
@@ -99,7 +104,13 @@ void check_bytes(std::string_view text, std::string const& file) {
     if (b == '#')
       while (!c.done() && c.byte() != '\n') step(c);
     if (c.done()) return;
-    if (ends_dotted_key(c.byte())) dots = 0;
+    if (begins_value(c.byte())) ++values;
+    if (ends_dotted_key(c.byte())) {
+      if (c.byte() == '=' || c.byte() == ']') values += dots; // a table for each part
+      dots = 0;
+    }
+    if (values > most_values)
+      c.refuse(fmt::format("more than {} values; long tables belong in a record file", most_values));
     // Bare keys and values are ASCII; beyond it toml++ 3.3 runs into undefined behaviour (U+FB26 to U+FEFE).
     bool const byte_order_mark = c.at == 0 && c.sees("\xEF\xBB\xBF");
     if (c.byte() >= 0x80 && !byte_order_mark)

@@ -4,7 +4,8 @@
 #include <cctype>
 #include <fstream>
 #include <limits>
-#include <sstream>
+#include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -12,6 +13,7 @@
 #include "fissura/core/error.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/gmsh_session.hpp"
+#include "fissura/mesh/msh_reader.hpp"
 #include "fissura/mesh/renumber.hpp"
 
 namespace fissura::mesh {
@@ -20,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Tags = std::vector<std::size_t>;
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{8} << 30U; // bytes
 
 /// gmsh's numbers of the element types this program knows.
 enum ElementType { line_2 = 1, triangle_3 = 2, tet_4 = 4, point_1 = 15 };
@@ -34,23 +38,14 @@ std::string read_text(fs::path const& path) {
   std::error_code error;
   if (!fs::exists(path, error)) refuse(path, "no such mesh file");
   if (!fs::is_regular_file(path, error)) refuse(path, "the mesh file is not a regular file");
+  auto const size = fs::file_size(path, error);
+  if (error || size > largest_file)
+    refuse(path, fmt::format("the mesh file is larger than {} GiB", largest_file >> 30U));
+  std::string text(size, '\0');
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || !text) refuse(path, "the mesh file cannot be read (is it empty, or not readable?)");
-  return std::move(text).str();
-}
-
-/// gmsh would read a .msh that does not begin like one as a .geo, so its beginning is looked at here.
-void check_format(fs::path const& path, std::string const& text) {
-  auto const start = text.find("$MeshFormat");
-  if (start == std::string::npos || !(start == 0 || text.starts_with("$Comments")))
-    refuse(path, "not a gmsh mesh: it does not begin with $MeshFormat");
-  std::istringstream line(text.substr(start + 11, 100));
-  double version = 0;
-  line >> version;
-  if (version != 2.2 && version != 4.1)
-    refuse(path, fmt::format("mesh format {:g}: only the formats 2.2 and 4.1 are read", version));
+  if (size == 0 || !in.read(text.data(), static_cast<std::streamsize>(size)))
+    refuse(path, "the mesh file cannot be read (is it empty, or not readable?)");
+  return text;
 }
 
 /// A .geo with its comments and strings blanked; lines stay where they are.
@@ -77,18 +72,38 @@ std::string blank_comments(std::string text) {
   return text;
 }
 
-/// A .geo is a program: refuse the statements that would end this one or start others.
+/// Whether what stands in brackets from `at` on is sent to a file.
+bool is_sent_to_a_file(std::string const& text, std::size_t at) {
+  auto const open = text.find_first_not_of(" \t\n", at);
+  if (open == std::string::npos || text[open] != '(') return false;
+  auto const close = text.find(')', open);
+  if (close == std::string::npos) return true; // never closed: no text that gmsh would take either
+  auto const next = text.find_first_not_of(" \t\n", close + 1);
+  return next != std::string::npos && text[next] == '>';
+}
+
+/// A .geo is a program: refuse the statements that would end this one, start others, write files, or read
+/// others past this check.
 void check_statements(fs::path const& path, std::string const& geo) {
+  static std::set<std::string, std::less<>> const forbidden{
+      "Exit",    "Abort", "SystemCall", "NonBlockingSystemCall", "OnelabRun", "Save", "Print", "Merge",
+      "Include", "Open",  "CreateDir",  "ShapeFromFile"};
   auto const is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::string const text = blank_comments(geo);
-  for (std::string const statement : {"Exit", "Abort", "SystemCall", "NonBlockingSystemCall", "OnelabRun"})
-    for (auto at = text.find(statement); at != std::string::npos; at = text.find(statement, at + 1)) {
-      auto const end = at + statement.size();
-      if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end]))) continue;
-      refuse(path, fmt::format("statement '{}' is not allowed in the geometry of a case", statement),
-             1 + static_cast<int>(
-                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
-    }
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = at;
+    while (end < text.size() && is_word(text[end])) ++end;
+    std::string_view const word(text.data() + at, end - at);
+    bool const writes = word == "Printf" && is_sent_to_a_file(text, end);
+    if (!writes && !forbidden.contains(word)) continue;
+    auto const line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    refuse(path,
+           fmt::format(
+               "statement '{}' is not allowed in the geometry of a case: it could start programs or touch "
+               "other files (or mesh the file with gmsh, and name the .msh)",
+               writes ? "Printf > file" : word),
+           static_cast<int>(line));
+  }
 }
 
 // ---- out of gmsh --------------------------------------------------------------------------------
@@ -240,27 +255,6 @@ void import_groups(Import& import) {
   });
 }
 
-/// gmsh forgets the named groups of a .msh that have no elements; they are kept here so that the check finds
-/// them.
-void keep_empty_names(std::string const& text, Mesh& m) {
-  auto const start = text.find("$PhysicalNames");
-  if (start == std::string::npos) return;
-  std::istringstream in(text.substr(start + 14, text.find("$EndPhysicalNames") - start - 14));
-  int count = 0, dimension = 0, tag = 0;
-  in >> count;
-  while (count-- > 0 && in >> dimension >> tag) {
-    std::string name;
-    std::getline(std::getline(in, name, '"'), name, '"');
-    if (name.empty()) continue;
-    if (dimension == 3 &&
-        std::find(m.volume_groups.begin(), m.volume_groups.end(), name) == m.volume_groups.end())
-      m.volume_groups.push_back(name);
-    if (dimension == 2) group_named(m.face_groups, name);
-    if (dimension == 1) group_named(m.line_groups, name);
-    if (dimension == 0) group_named(m.point_groups, name);
-  }
-}
-
 } // namespace
 
 Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
@@ -268,30 +262,27 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
   bool const is_geometry = path.extension() == ".geo";
   if (!is_geometry && path.extension() != ".msh") refuse(path, "a mesh file ends in .msh or .geo");
   std::string const text = read_text(path);
-  if (is_geometry)
-    check_statements(path, text);
-  else
-    check_format(path, text);
+  if (!is_geometry) {
+    Mesh mesh = parse_msh(text, path.string(), length_unit);
+    drop_unused_points(mesh);
+    return mesh;
+  }
+  check_statements(path, text);
 
   Import import{path, length_unit, {}, {}};
   GmshSession const session(path);
   session.guard([&] {
     gmsh::open(path.string());
-    if (is_geometry) {
-      if (element_size > 0) {
-        gmsh::option::setNumber("Mesh.MeshSizeMin", element_size / length_unit);
-        gmsh::option::setNumber("Mesh.MeshSizeMax", element_size / length_unit);
-      }
-      gmsh::model::mesh::generate(3);
+    if (element_size > 0) {
+      gmsh::option::setNumber("Mesh.MeshSizeMin", element_size / length_unit);
+      gmsh::option::setNumber("Mesh.MeshSizeMax", element_size / length_unit);
     }
+    gmsh::model::mesh::generate(3);
     import_nodes(import);
     import_tets(import);
     import_groups(import);
   });
-  if (import.mesh.tets.empty())
-    refuse(path,
-           is_geometry ? "the geometry has no volume, so its mesh has no tets" : "the mesh has no tets");
-  if (!is_geometry) keep_empty_names(text, import.mesh);
+  if (import.mesh.tets.empty()) refuse(path, "the geometry has no volume, so its mesh has no tets");
   drop_unused_points(import.mesh);
   return std::move(import.mesh);
 }

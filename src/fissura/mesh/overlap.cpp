@@ -33,7 +33,11 @@ struct Grid {
   double size = 1;
   Cell cell(Vec3 p) const {
     Cell c{};
-    for (int k = 0; k < 3; ++k) c[k] = static_cast<std::int32_t>(std::floor((p[k] - origin[k]) / size));
+    for (int k = 0; k < 3; ++k) {
+      double const at = std::floor((p[k] - origin[k]) / size);
+      c[k] =
+          std::abs(at) < 1e9 ? static_cast<std::int32_t>(at) : 0; // a mesh of absurd size: any cell will do
+    }
     return c;
   }
   double cells_of(Flat const& f) const {

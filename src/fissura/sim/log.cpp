@@ -1,12 +1,46 @@
 #include "fissura/sim/log.hpp"
 
-#include <spdlog/sinks/basic_file_sink.h>
+#include <cerrno>
+#include <fcntl.h>
+#include <mutex>
+#include <unistd.h>
+
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/output/atomic_file.hpp"
 
 namespace fissura::sim {
+
+namespace {
+
+/// log.txt, line by line. The library's own file sink writes through a buffer that loses a full disk.
+class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  LogFile(std::string path, bool anew) : path_(std::move(path)) {
+    int const begin = anew ? O_TRUNC : 0;
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | begin, 0666);
+    if (descriptor_ < 0) output::throw_io_error("open the log", path_, errno);
+  }
+  ~LogFile() override { ::close(descriptor_); }
+  LogFile(LogFile const&) = delete;
+  LogFile& operator=(LogFile const&) = delete;
+
+ private:
+  void sink_it_(spdlog::details::log_msg const& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    output::write_all(descriptor_, {line.data(), line.size()}, path_);
+  }
+  void flush_() override {}
+
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+} // namespace
 
 std::shared_ptr<spdlog::logger> make_log(bool quiet) {
   auto log = std::make_shared<spdlog::logger>("fissura");
@@ -18,17 +52,15 @@ std::shared_ptr<spdlog::logger> make_log(bool quiet) {
   }
   log->set_level(spdlog::level::debug);
   log->flush_on(spdlog::level::debug);
+  // The library would print what goes wrong to the terminal, once a second, and go on.
+  log->set_error_handler([](std::string const& why) { throw core::Error(core::Failure::io, why); });
   return log;
 }
 
 void log_to_file(spdlog::logger& log, std::string const& path, bool anew) {
-  try {
-    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, anew);
-    sink->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
-    log.sinks().push_back(sink);
-  } catch (spdlog::spdlog_ex const& e) {
-    throw core::Error(core::Failure::io, path + ": cannot open the log: " + e.what());
-  }
+  auto sink = std::make_shared<LogFile>(path, anew);
+  sink->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
+  log.sinks().push_back(sink);
 }
 
 } // namespace fissura::sim

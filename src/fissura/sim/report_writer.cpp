@@ -17,6 +17,7 @@ bool ReportWriter::write(spdlog::logger& log) {
     report::write_report(folder_, {.out = {}, .version = version_});
     return true;
   } catch (core::Error const& e) {
+    if (e.failure == core::Failure::io) throw; // a full disk is no small matter of a page
     log.warn("no report page: {}", e.what());
     wanted_ = false;
     return false;

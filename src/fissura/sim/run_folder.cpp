@@ -75,10 +75,12 @@ void make_folder(std::string const& folder, bool force) {
     throw core::Error(core::Failure::io,
                       fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
-    for (char const* old : {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd",
-                            "frames", "checkpoints", "log.txt", "case.toml", "report.html", "stop",
-                            "output_now"})
+    for (char const* old :
+         {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd", "frames",
+          "checkpoints", "log.txt", "case.toml", "report.html", "stop", "output_now"}) {
       fs::remove_all(fs::path(folder) / old, ec);
+      if (ec) fail("remove", fs::path(folder) / old, ec);
+    }
   }
   fs::create_directories(folder, ec);
   if (ec)

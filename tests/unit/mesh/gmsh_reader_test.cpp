@@ -219,9 +219,10 @@ TEST(ReadGmsh, refuses_bad_files) {
   expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "2.2 0 8", "3.0 0 8")),
               "only the formats 2.2 and 4.1");
   expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "22 4 2 0 2 1 2 3 5", "22 4 2 0 2 1 2 3 88")), "88");
-  expect_part(refusal_of("a.msh", two_tets_2_2.substr(0, 200)), "gmsh cannot make a mesh of this file");
-  expect_part(refusal_of("a.msh", two_tets_4_1.substr(0, 260)), "gmsh cannot make a mesh of this file");
-  expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "$Elements\n6", "$Elements\n4")), "no tets");
+  expect_part(refusal_of("a.msh", two_tets_2_2.substr(0, 200)), "21: the number of elements = 6, but");
+  expect_part(refusal_of("a.msh", two_tets_4_1.substr(0, 260)), "30: expected a node of an element");
+  expect_part(refusal_of("a.msh", replaced(two_tets_2_2, "$Elements\n6", "$Elements\n4")),
+              "26: expected $EndElements, found '21'");
   Written const good("good.msh", two_tets_2_2);
   EXPECT_EQ(refusal(good.path), "");
   expect_part(refusal(good.path, 0), "length unit 0 m");
@@ -261,6 +262,10 @@ TEST(ReadGmsh, refuses_bad_geometry) {
   expect_part(refusal_of("a.geo", "// Exit\nx = 1; /* Exit\n */ Exit;\n"),
               "3: statement 'Exit' is not allowed");
   expect_part(refusal_of("a.geo", "SystemCall \"ls\";\n"), "1: statement 'SystemCall' is not allowed");
+  for (char const* statement : {"Save \"a.msh\"", "Print \"a.png\"", "Merge \"b.geo\"", "Include \"b.geo\"",
+                                "OnelabRun(\"a\")", "CreateDir \"a\""})
+    expect_part(refusal_of("a.geo", std::string("x = 1;\n") + statement + ";\n"), "2: statement '");
+  expect_part(refusal_of("a.geo", "Printf(\"a\") > \"b\";\n"), "statement 'Printf > file' is not allowed");
   EXPECT_EQ(refusal_of("a.geo", "// SystemCall\nExitCode = 1;\nPrintf(\"Exit\");\n" + block_geo), "");
 }
 

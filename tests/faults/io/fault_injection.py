@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Requirement: whichever call that writes, syncs, renames, makes or removes a file fails, the program ends with
+code 3 and names the file and the reason, and every file that was whole before is whole afterwards.
+
+Runs a small case again and again; in run n the shim makes the n-th such call below the run folder fail, until a
+run meets no n-th call any more.  fault_injection.py PROGRAM SHIM [--stays] [--errno NAME]
+"""
+import argparse
+import errno
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+CASE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'case.toml')
+
+
+def run(program, out, environment, *arguments, **options):
+    return subprocess.run([program, 'run', CASE, '--out', out, '--quiet', '--threads', '1', *arguments],
+                          env={**os.environ, **environment}, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          timeout=120, **options)
+
+
+def is_whole_vtu(path):
+    with open(path, 'rb') as file:
+        return file.read().rstrip().endswith(b'</VTKFile>')
+
+
+def broken_files(out):
+    """What in a run folder a reader would stumble over."""
+    broken = []
+    for folder, _, names in os.walk(out):
+        for name in names:
+            path = os.path.join(folder, name)
+            if name.endswith('.vtu') and not is_whole_vtu(path):
+                broken.append(path)
+            if name.endswith('.pvd'):
+                for entry in xml.parse(path).getroot().iter('DataSet'):
+                    if not os.path.exists(os.path.join(folder, entry.get('file'))):
+                        broken.append(f'{path} names {entry.get("file")}')
+            if name == 'run.json':
+                json.load(open(path))
+            if name == 'history.csv':
+                lines = open(path).read().split('\n')
+                width = {line.count(',') for line in lines if line}
+                if len(width) > 1:
+                    broken.append(f'{path} has rows of different lengths')
+            if name.endswith('.part'):
+                broken.append(f'{path} was left behind')
+    return broken
+
+
+def complaints(result, reason, stays, out):
+    """What is wrong with the end of a run in which a call failed."""
+    found = []
+    if result.returncode != 3:
+        found.append(f'exit code {result.returncode} instead of 3')
+    text = re.sub(r'\[fault [a-z]+\]\n', '', result.stderr)
+    if reason not in text:
+        found.append(f'the reason "{reason}" is not named')
+    if out not in text:
+        found.append('no file is named')
+    found += [] if stays else broken_files(out)
+    return found
+
+
+def sweep(program, shim, code, stays, step):
+    """Number of calls and the list of complaints."""
+    reason = os.strerror(code)
+    bad, n = [], 1
+    while True:
+        with tempfile.TemporaryDirectory() as folder:
+            folder = os.path.realpath(folder)
+            out = os.path.join(folder, 'run')
+            environment = {'LD_PRELOAD': shim, 'FISSURA_FAULT_FOLDER': out, 'FISSURA_FAULT_CALL': str(n),
+                           'FISSURA_FAULT_ERRNO': str(code)}
+            if stays:
+                environment['FISSURA_FAULT_STAYS'] = '1'
+            result = run(program, out, environment)
+            call = re.search(r'\[fault ([a-z]+)\]', result.stderr)
+            if not call:
+                if result.returncode != 0:
+                    bad.append(f'without a fault: exit code {result.returncode}: {result.stderr}')
+                return n - 1, bad
+            for complaint in complaints(result, reason, stays, out):
+                bad.append(f'call {n} ({call.group(1)}): {complaint}; it said: {result.stderr.strip()[-200:]}')
+        n += step
+
+
+def check_full_device(program):
+    """Output to /dev/full, which takes nothing, and folders that cannot be."""
+    bad = []
+    with tempfile.TemporaryDirectory() as folder, open('/dev/full', 'w') as full:
+        checked = subprocess.run([program, 'check', CASE], stdout=full, stderr=subprocess.PIPE, text=True)
+        if checked.returncode != 3 or os.strerror(errno.ENOSPC) not in checked.stderr:
+            bad.append(f'check > /dev/full: code {checked.returncode}: {checked.stderr}')
+        file = os.path.join(folder, 'file')
+        open(file, 'w').close()
+        below = run(program, os.path.join(file, 'run'), {})
+        if below.returncode != 3 or file not in below.stderr:
+            bad.append(f'a run folder below a file: code {below.returncode}: {below.stderr}')
+        out = os.path.join(folder, 'run')
+        os.mkdir(out)
+        os.symlink('/dev/full', os.path.join(out, 'history.csv.link'))
+        again = run(program, out, {})
+        if again.returncode != 3 or 'exists already' not in again.stderr:
+            bad.append(f'an existing folder: code {again.returncode}: {again.stderr}')
+        limited = subprocess.run(['bash', '-c', f'ulimit -f 20; exec "{program}" run "{CASE}" --out "{folder}/small" --quiet'],
+                                 stderr=subprocess.PIPE, text=True)
+        if limited.returncode != 3 or os.strerror(errno.EFBIG) not in limited.stderr:
+            bad.append(f'a limit on the size of files: code {limited.returncode}: {limited.stderr}')
+    return bad
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('program')
+    parser.add_argument('shim')
+    parser.add_argument('--stays', action='store_true', help='all later calls fail as well, as on a full disk')
+    parser.add_argument('--errno', default='ENOSPC')
+    parser.add_argument('--step', type=int, default=1, help='try every so manieth call only')
+    arguments = parser.parse_args()
+    calls, bad = sweep(arguments.program, arguments.shim, getattr(errno, arguments.errno), arguments.stays, arguments.step)
+    bad += check_full_device(arguments.program)
+    print(f'{calls} calls, each made to fail with {arguments.errno}: {len(bad)} complaints')
+    print('\n'.join(bad[:40]))
+    sys.exit(1 if bad or calls < 20 else 0)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,22 @@
+// Requirement: whatever bytes a .msh file holds, reading and checking it ends in a mesh or in a core::Error.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "fissura/core/error.hpp"
+#include "fissura/mesh/check.hpp"
+#include "fissura/mesh/msh_reader.hpp"
+#include "fissura/mesh/renumber.hpp"
+#include "memory_limit.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  fissura::fuzz::read_within_limit(size, [&] {
+    try {
+      auto mesh = fissura::mesh::parse_msh({reinterpret_cast<char const*>(data), size}, "fuzz.msh", 1e-3);
+      fissura::mesh::drop_unused_points(mesh);
+      fissura::mesh::check_mesh(mesh);
+    } catch (fissura::core::Error const&) {
+    }
+  });
+  return 0;
+}
