@@ -1,0 +1,11 @@
+# Writes the texts of sim/templates/*.toml into a source file, so that the program carries its templates with it.
+file(GLOB templates CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/sim/templates/*.toml)
+set(TEMPLATE_TEXTS "")
+foreach(template ${templates})
+  get_filename_component(name ${template} NAME_WE)
+  file(READ ${template} text)
+  string(APPEND TEMPLATE_TEXTS "    {\"${name}\", R\"DECK(${text})DECK\"},\n")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${template})
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/cmake/template_texts.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp @ONLY)
+target_sources(fissura_sim PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp)
