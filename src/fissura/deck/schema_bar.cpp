@@ -5,33 +5,16 @@
 #include <numbers>
 
 #include "fissura/deck/cages.hpp"
+#include "fissura/deck/crack_spacing.hpp"
 #include "fissura/deck/fields.hpp"
-#include "fissura/units/decimal.hpp"
 
 namespace fissura::deck {
 namespace {
 
 using model::BarSettings;
 using model::BarSpec;
-using model::CrackSpacing;
 using Written = std::optional<std::string>;
 using units::Dimension;
-
-void read_l_cr(Reader& r, Node const& n, Key const& k, BarSpec& bar) {
-  if (n.kind == Node::Kind::text && units::leading_number(n.text).empty()) {
-    auto const word = read_word(r, n, k, {"automatic", "element_size"});
-    if (!word) r.error(n, fmt::format("`{}` may also be a length, e.g. \"100 mm\"", k.name));
-    bar.crack_spacing = word && *word == 1 ? CrackSpacing::element_size : CrackSpacing::automatic;
-    return;
-  }
-  bar.crack_spacing = CrackSpacing::given;
-  bar.l_cr = read_quantity(r, n, k).value_or(0);
-}
-
-Written write_l_cr(BarSpec const& bar) {
-  if (bar.crack_spacing == CrackSpacing::given) return write_quantity(bar.l_cr, Dimension::length);
-  return write_text(bar.crack_spacing == CrackSpacing::automatic ? "automatic" : "element_size");
-}
 
 void check_polyline(Reader& reader, Node const& table, BarSpec const& bar) {
   bool const points = reader.given(&bar, "points"), curve = reader.given(&bar, "curve");
@@ -93,12 +76,9 @@ Section bar_section() {
   f.point("spacing", &BarSpec::spacing, "Offset from one to the next; needed with `count`.");
   f.number("initial_strain", &BarSpec::initial_strain, "Imposed strain; prestress > 0 stretches the steel.")
       .range({-0.1, 0.1});
-  f.custom("l_cr", "`automatic`, `element_size` or a length",
-           "Crack spacing seen by a bar joint: half the bar's length that belongs to it, h/2 (the paper), or "
-           "given.",
-           read_l_cr, write_l_cr)
-      .of(Dimension::length)
-      .positive();
+  crack_spacing(
+      f, "Crack spacing seen by a bar joint: half the bar's length that belongs to it, h/2 (the paper), or "
+         "given.");
   return s;
 }
 

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "fissura/deck/cages.hpp"
+#include "fissura/deck/crack_spacing.hpp"
 #include "fissura/deck/fields.hpp"
 #include "fissura/model/cage.hpp"
-#include "fissura/units/decimal.hpp"
 
 namespace fissura::deck {
 namespace {
@@ -227,6 +227,9 @@ Section cage_section() {
                                        units::from_si(c.stirrups.spacing, Dimension::length)));
        })
       .echoed_if([](CageSpec const& c) { return c.stirrups.diameter > 0; });
+  crack_spacing(
+      f, "Crack spacing seen by the joints of its longitudinal bars, as `l_cr` of [[bar]]; half the distance "
+         "of the cracks one expects is a good choice. Stirrups stay `automatic`.");
   return s;
 }
 

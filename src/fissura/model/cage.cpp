@@ -109,6 +109,7 @@ class Builder {
     bar.name = cage.name + "_" + name;
     bar.steel = cage.steel;
     bar.diameter = layer.diameter;
+    bar.crack_spacing = cage.crack_spacing, bar.l_cr = cage.l_cr;
     Vec3 from;
     from[across] = at_across, from[up] = at_up, from[along] = low[along] + end_cover(0);
     Vec3 to = from;

@@ -169,6 +169,8 @@ struct CageSpec {
   BarLayer sides;                    ///< beam: on each side, between bottom and top
   BarLayer bars;                     ///< column: in all, around the section
   StirrupSpec stirrups;
+  CrackSpacing crack_spacing = CrackSpacing::automatic; ///< of the longitudinal bars
+  double l_cr = 0;                                      ///< [m] for CrackSpacing::given
   std::vector<BarSpec> made; ///< what the cage stands for, until it is moved to Case::bars
 };
 enum class BarBetweenCracks { slip_only, elastic };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <thread>
 
 namespace fissura::parallel {
@@ -9,6 +10,8 @@ namespace fissura::parallel {
 namespace {
 
 std::atomic<Team*> at_work{nullptr};
+std::mutex living_mutex;
+std::vector<Team*> living; ///< by age
 
 int all_of_the_machine() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -16,13 +19,20 @@ int all_of_the_machine() {
 
 } // namespace
 
-Threads::Threads(int count)
-    : team_(std::make_unique<Team>(count > 0 ? count : all_of_the_machine())), before_(at_work.load()) {
+Threads::Threads(int count) : team_(std::make_unique<Team>(count > 0 ? count : all_of_the_machine())) {
+  std::lock_guard const lock(living_mutex);
+  living.push_back(team_.get());
   at_work = team_.get();
 }
 
 Threads::~Threads() {
-  at_work = before_;
+  std::lock_guard const lock(living_mutex);
+  living.erase(std::find(living.begin(), living.end(), team_.get()));
+  if (at_work == team_.get()) at_work = living.empty() ? nullptr : living.back();
+}
+
+void Threads::use() const {
+  at_work = team_.get();
 }
 
 Team* team() {

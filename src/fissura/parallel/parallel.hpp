@@ -11,7 +11,8 @@
 namespace fissura::parallel {
 
 /// The threads that the process works with until the object goes away; 0 = all the machine offers. Without
-/// one, everything is done by the caller.
+/// one, everything is done by the caller. Several may live at a time and go in any order: the youngest one
+/// left is at work, or the one called to it last.
 class Threads {
  public:
   explicit Threads(int count);
@@ -19,10 +20,11 @@ class Threads {
   Threads(Threads const&) = delete;
   Threads& operator=(Threads const&) = delete;
   int count() const { return team_->size(); }
+  /// Puts these threads to work.
+  void use() const;
 
  private:
   std::unique_ptr<Team> team_;
-  Team* before_; ///< what was at work before, and is again afterwards
 };
 
 /// The team at work, or nullptr.
