@@ -1,9 +1,12 @@
 // The command line: parse, call the library, print, choose the exit code. Exit codes: 0 complete or stopped
 // as asked, 1 failed run, 2 bad input, 3 input/output failure.
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +20,7 @@
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/template_case.hpp"
 #include "look.hpp"
+#include "python_tool.hpp"
 #include "signals.hpp"
 
 namespace {
@@ -45,9 +49,34 @@ int run(RunArguments const& a) {
   return 0;
 }
 
-int check(std::string const& deck, std::vector<std::string> const& set) {
-  fmt::print("{}", fissura::sim::check_case(fissura::deck::read_case(deck, set)));
-  return 0;
+/// Frames for one picture; gone afterwards.
+class FramesFolder {
+ public:
+  FramesFolder()
+      : path_(std::filesystem::temp_directory_path() / fmt::format("fissura_check_{}", ::getpid())) {}
+  ~FramesFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  FramesFolder(FramesFolder const&) = delete;
+  FramesFolder& operator=(FramesFolder const&) = delete;
+  std::string name() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+int check(std::string const& deck, std::vector<std::string> const& set, std::string const& picture) {
+  auto const c = fissura::deck::read_case(deck, set);
+  if (picture.empty()) {
+    fmt::print("{}", fissura::sim::check_case(c));
+    return 0;
+  }
+  FramesFolder const frames;
+  fmt::print("{}", fissura::sim::check_case(c, frames.name()));
+  std::fflush(stdout);
+  return fissura::app::run_python_tool(
+      "picture.py", {frames.name(), "--out", picture, "--title", c.title.empty() ? deck : c.title});
 }
 
 int program(int argc, char** argv) {
@@ -80,6 +109,8 @@ int program(int argc, char** argv) {
       app.add_subcommand("check", "Report every error of a case file, or forecast its cost");
   check_command->add_option("case", deck, "Case file (TOML)")->required();
   check_command->add_option("--set", set, "Change the deck: key=value, repeatable")->allow_extra_args(false);
+  std::string check_picture;
+  check_command->add_option("--picture", check_picture, "Also draw the body and its bars as a PNG");
 
   std::string template_name, template_folder;
   auto* new_command = app.add_subcommand("new", "Write a commented starting case");
@@ -104,7 +135,7 @@ int program(int argc, char** argv) {
     run_arguments.options.report = !no_report;
     if (*run_command) return run(run_arguments);
     if (look.asked()) return look.run();
-    if (*check_command) return check(deck, set);
+    if (*check_command) return check(deck, set, check_picture);
     if (*new_command) {
       fmt::print("{}\n", fissura::sim::write_template(template_name, template_folder));
       return 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -45,12 +46,29 @@ std::string describe(Selector const& s) {
   return "";
 }
 
+/// Another axis on which the plane would meet the mesh: axes are easily swapped.
+std::string swapped_axis(Mesh const& m, Selector const& s) {
+  if (s.kind != Kind::plane) return {};
+  for (int axis = 0; axis < 3; ++axis)
+    for (Vec3 const p : m.points)
+      if (axis != s.axis && std::abs(p[axis] - s.at) <= std::max(s.tolerance, 1e-9))
+        return fmt::format("; plane {} = {:g} m has some: are the axes swapped?", "xyz"[axis], s.at);
+  return {};
+}
+
+/// Structures are neither longer than a few hundred metres nor shorter than a centimetre.
+std::string unlikely_size(Vec3 low, Vec3 high) {
+  double const longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  return longest > 300 || longest < 0.01 ? "; is the unit of length right?" : "";
+}
+
 [[noreturn]] void refuse_empty(Mesh const& m, Selector const& s, std::string const& what) {
   Vec3 low = m.points.empty() ? Vec3{} : m.points[0], high = low;
   for (Vec3 const p : m.points)
     for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-  throw core::InputError(s.place, fmt::format("{} selects no {}; the model reaches from {} to {} m",
-                                              describe(s), what, text(low), text(high)));
+  throw core::InputError(s.place, fmt::format("{} selects no {}; the model reaches from {} to {} m{}{}",
+                                              describe(s), what, text(low), text(high), swapped_axis(m, s),
+                                              unlikely_size(low, high)));
 }
 
 /// Number of insertions, deletions and replacements that turn a into b.

@@ -6,6 +6,7 @@
 
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"
+#include "fissura/sim/fields.hpp"
 #include "fissura/sim/gauges.hpp"
 #include "fissura/sim/progress.hpp"
 #include "fissura/sim/stops.hpp"
@@ -41,12 +42,13 @@ double end_time(model::Model const& m) {
 
 } // namespace
 
-std::string check_case(model::Case const& c) {
+std::string check_case(model::Case const& c, std::string const& frames_folder) {
   parallel::Threads const threads(c.run.threads);
   BuildReport report;
   auto const m = build_model(c, report);
   Gauges const gauges(m);
   Stops const stops(c, gauges);
+  if (!frames_folder.empty()) FieldWriter(frames_folder).write(m, step::make_state(m));
 
   double const end = end_time(m), steps = std::ceil(end / m.dt);
   double const memory = m.tet_count() * 900.0 + m.joint_count() * 420.0;

@@ -261,6 +261,12 @@ TEST(Schema, every_key_is_documented) {
       EXPECT_FALSE(key.type.empty()) << section.path << "." << key.name;
     }
   }
+  for (auto const* shape :
+       {&deck::selector_shape(), &deck::curve_shape(), &deck::path_shape(), &deck::record_shape()})
+    for (auto const& key : shape->keys) {
+      EXPECT_FALSE(key.doc.empty()) << shape->name << "." << key.name;
+      EXPECT_FALSE(key.type.empty()) << shape->name << "." << key.name;
+    }
 }
 
 } // namespace
