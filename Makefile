@@ -14,8 +14,9 @@ endif
 PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudunits2-dev libcli11-dev \
   libfmt-dev libspdlog-dev libgmsh-dev libpugixml-dev zlib1g-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev \
   python3-numpy python3-matplotlib
-TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev
+TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs
 DOCS_PACKAGES    := mkdocs
+PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev
 FORMAT_PACKAGES  := clang-format
 FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
 FUZZ_SECONDS     ?= 60
@@ -28,8 +29,8 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
   $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 endef
 
-.PHONY: help setup setup-program setup-tests setup-docs setup-format setup-fuzz build build-all demo test verify validate \
-  figures pictures bench docs fuzz format install clean
+.PHONY: help setup setup-program setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test verify validate \
+  figures pictures bench docs python fuzz format install clean
 
 help:
 	@echo "make demo      install what is missing, build, run a small beam to failure, draw its curve"
@@ -38,6 +39,7 @@ help:
 	@echo "make verify    run the verification cases: $(BUILD)/verification.csv"
 	@echo "make validate  run the long cases"
 	@echo "make figures   draw the paper's figures from runs    make pictures  draw the crack pictures"
+	@echo "make python    build the Python module: $(BUILD)/python"
 	@echo "make bench | docs | fuzz | format | install [PREFIX=...] | clean"
 
 setup: setup-tests
@@ -47,6 +49,8 @@ setup-tests:
 	$(call install_packages,$(TEST_PACKAGES))
 setup-docs:
 	$(call install_packages,$(DOCS_PACKAGES))
+setup-python:
+	$(call install_packages,$(PYTHON_PACKAGES))
 setup-format:
 	$(call install_packages,$(FORMAT_PACKAGES))
 setup-fuzz:
@@ -57,7 +61,7 @@ build: setup-program
 	cmake --build $(BUILD) -j $(JOBS) --target fissura
 
 build-all: setup-tests
-	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON
+	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON -DFISSURA_PYTHON=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
 demo: build
@@ -92,8 +96,13 @@ bench: build
 
 docs: setup-docs
 	$(PYTHON) tools/check_links.py
-	mkdocs build --quiet --site-dir $(BUILD)/docs
-	@echo "$(BUILD)/docs/index.html"
+	$(PYTHON) tools/docs_site.py $(BUILD)
+
+# The module for PYTHONPATH=$(BUILD)/python; `pip install .` builds its own.
+python: setup-python
+	cmake --preset release -B $(BUILD) -DFISSURA_PYTHON=ON -DFISSURA_TESTS=OFF
+	cmake --build $(BUILD) -j $(JOBS) --target fissura_python
+	@echo "PYTHONPATH=$(BUILD)/python /usr/bin/python3 -c 'import fissura'"
 
 # One reader after the other, FUZZ_SECONDS each. Starts from the corpus and the examples' decks, keeps what it learns in
 # build-fuzz/corpus.

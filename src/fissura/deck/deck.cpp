@@ -4,9 +4,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "fissura/deck/cages.hpp"
 #include "fissura/deck/checks.hpp"
+#include "fissura/deck/fields.hpp"
 #include "fissura/deck/reader.hpp"
 #include "fissura/deck/scan.hpp"
 
@@ -54,6 +56,30 @@ model::Case read_case_text(std::string_view text, std::string const& name,
   reader.throw_findings();
   hand_over_cages(result);
   return result;
+}
+
+model::Curve read_load_curve(std::string_view value, std::string const& key) {
+  using units::Dimension;
+  static std::map<std::string, Dimension, std::less<>> const dimensions{
+      {"displacement", Dimension::length},
+      {"velocity", Dimension::velocity},
+      {"force", Dimension::force},
+      {"traction", Dimension::pressure},
+      {"acceleration", Dimension::acceleration}};
+  auto const dimension = dimensions.find(key);
+  if (dimension == dimensions.end())
+    throw core::Error(
+        core::Failure::input,
+        fmt::format("a load has no `{}`: give displacement, velocity, force, traction or acceleration", key));
+  model::Case nothing;
+  Reader reader(nothing);
+  Node const root = parse(fmt::format("{} = {}", key, value), key);
+  Key wanted;
+  wanted.name = key;
+  model::Curve curve;
+  read_curve(reader, root.items.at(0), wanted, dimension->second, curve);
+  reader.throw_findings();
+  return curve;
 }
 
 model::Case read_case(std::filesystem::path const& file, std::vector<std::string> const& overrides) {

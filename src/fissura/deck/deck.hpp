@@ -20,6 +20,10 @@ model::Case read_case(std::filesystem::path const& file, std::vector<std::string
 model::Case read_case_text(std::string_view text, std::string const& name,
                            std::vector<std::string> const& overrides = {});
 
+/// How a load changes in time, as the value of its key: `"0.2 m/s"`, `{value = "1 mm", over = "5 ms"}`. `key`
+/// is displacement, velocity, force, traction or acceleration. Throws core::InputError.
+model::Curve read_load_curve(std::string_view value, std::string const& key);
+
 /// A deck with every value of the case, defaults included, that reads back to the same case. The mesh file is
 /// named by its full path, so the echo can be read from any folder.
 std::string echo(model::Case const& the_case);

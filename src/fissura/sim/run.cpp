@@ -15,6 +15,7 @@
 #include "fissura/output/json.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"
+#include "fissura/sim/change_load.hpp"
 #include "fissura/sim/clock.hpp"
 #include "fissura/sim/fields.hpp"
 #include "fissura/sim/fragments.hpp"
@@ -85,6 +86,7 @@ class Run::Impl {
 
   bool step() {
     if (ended_) return false;
+    threads_.use(); // there may be several runs
     try {
       ended_ = reason_to_stop();
       if (!ended_)
@@ -346,6 +348,17 @@ class Run::Impl {
       log_->info("{}", line);
   }
 
+  void finish_once() {
+    if (finished_) return;
+    finished_ = true;
+    if (!ended_) {
+      result_ = {"stopped", "ended before its time", options_.out};
+      ended_ = true;
+      if (store_) write_checkpoint();
+    }
+    finish();
+  }
+
   void finish() {
     if (::isatty(STDOUT_FILENO) && !options_.quiet) fmt::print("\n");
     if (fields_) fields_->write(m_, s_);
@@ -477,7 +490,7 @@ class Run::Impl {
   step::EnergyBalance energy_;
   int settled_ = 0;
   RunResult result_{"complete", "end time reached", options_.out};
-  bool ended_ = false;
+  bool ended_ = false, finished_ = false;
 
   Identity identity_;                        ///< of this deck, mesh and program
   std::unique_ptr<checkpoint::Store> store_; ///< none without a run folder
@@ -501,8 +514,11 @@ bool Run::step() {
   return impl_->step();
 }
 RunResult const& Run::finish() {
-  impl_->finish();
+  impl_->finish_once();
   return impl_->result_;
+}
+void Run::change_load(std::string const& name, std::string const& key, model::Curve const& curve) {
+  sim::change_load(impl_->m_, impl_->s_, name, key, curve);
 }
 bool Run::ended() const {
   return impl_->ended_;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -70,6 +71,19 @@ TEST(Threads, work_at_the_same_time) {
   });
   EXPECT_TRUE(met[0]);
   EXPECT_TRUE(met[1]);
+}
+
+// Requirement: several teams may end in any order; the one at work is always alive.
+TEST(Threads, end_in_any_order) {
+  auto first = std::make_unique<Threads>(2);
+  auto second = std::make_unique<Threads>(3);
+  EXPECT_EQ(team()->size(), 3);
+  first->use();
+  EXPECT_EQ(team()->size(), 2);
+  first.reset();
+  EXPECT_EQ(team()->size(), 3) << "the one that is left";
+  second.reset();
+  EXPECT_EQ(team(), nullptr);
 }
 
 // Requirement: an error in one chunk reaches the caller, and the threads can work again afterwards.

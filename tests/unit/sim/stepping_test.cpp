@@ -5,8 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fissura/core/error.hpp"
+#include "fissura/model/model.hpp"
 #include "fissura/sim/history.hpp"
 #include "fissura/sim/run.hpp"
+#include "fissura/state/state.hpp"
 #include "support/cases.hpp"
 #include "unit/output/temporary_folder.hpp"
 
@@ -49,6 +52,79 @@ TEST(Stepping, is_the_same_run) {
   EXPECT_EQ(alone.history().rows().size() % alone.history().columns().size(), 0u);
   EXPECT_EQ(alone.history().columns()[0].name, "time");
   EXPECT_EQ(alone.history().columns()[1].name, "force");
+}
+
+/// Says why a change of a load is refused.
+std::string refusal(sim::Run& run, std::string const& name, std::string const& key) {
+  try {
+    run.change_load(name, key, constant(1));
+  } catch (core::Error const& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+// Requirement: a motion that is changed between two steps goes on from its present velocity without a jump
+// and reaches the new one; the energies still add up.
+TEST(Stepping, changes_a_motion_smoothly) {
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(tie(), o);
+  run.open();
+  while (run.state().time < 3e-4) ASSERT_TRUE(run.step());
+  double const before = run.state().prescribed_velocity.back();
+  EXPECT_NEAR(before, 1, 1e-9) << "the plateau of the ramp";
+  run.change_load("pull", "velocity", ramp(-0.5, 1e-4));
+  ASSERT_TRUE(run.step());
+  EXPECT_NEAR(run.state().prescribed_velocity.back(), before, 1e-3);
+  while (run.step()) {
+  }
+  EXPECT_NEAR(run.state().prescribed_velocity.back(), -0.5, 1e-12);
+  auto const j = nlohmann::json::parse(run.summary());
+  EXPECT_LT(std::abs(j["energy_residual"].get<double>()), 0.01);
+  EXPECT_EQ(run.finish().status, "complete");
+}
+
+// Requirement: a displacement is counted from t = 0, and its ramp sets out from where the points are.
+TEST(Stepping, changes_to_a_displacement) {
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(tie(), o);
+  run.open();
+  while (run.state().time < 3e-4) ASSERT_TRUE(run.step());
+  run.change_load("pull", "displacement", ramp(1e-4, 2e-4));
+  while (run.step()) {
+  }
+  auto const& p = run.model().prescribed.back();
+  EXPECT_NEAR(run.state().u[4 * static_cast<std::size_t>(p.nodes[0])], 1e-4, 1e-12);
+}
+
+// Requirement: what is no load, or not the load's own key, is refused with the cure.
+TEST(Stepping, refuses_to_change_what_is_no_load) {
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(tie(), o);
+  run.open();
+  EXPECT_EQ(refusal(run, "push", "velocity"), "there is no load `push` to change; there are: `pull`");
+  EXPECT_EQ(refusal(run, "left", "velocity"), "there is no load `left` to change; there are: `pull`");
+  EXPECT_EQ(refusal(run, "pull", "force"),
+            "`pull` is a motion: give `displacement` or `velocity`, not `force`");
+}
+
+// Requirement: a run that is finished early says so, and two runs may live side by side and end in any order.
+TEST(Stepping, two_runs_side_by_side) {
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 2;
+  auto first = std::make_unique<sim::Run>(tie(), o);
+  auto second = std::make_unique<sim::Run>(tie(), o);
+  first->open(), second->open();
+  for (int i = 0; i < 20; ++i) first->step(), second->step();
+  EXPECT_EQ(first->finish().status, "stopped");
+  EXPECT_FALSE(first->step());
+  first.reset();
+  while (second->step()) {
+  }
+  EXPECT_EQ(second->finish().status, "complete");
 }
 
 } // namespace
