@@ -16,7 +16,7 @@ PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudun
   python3-numpy python3-matplotlib
 TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs
 DOCS_PACKAGES    := mkdocs
-PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev
+PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
 FORMAT_PACKAGES  := clang-format
 FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
 FUZZ_SECONDS     ?= 60
