@@ -327,7 +327,7 @@ export class View {
       front: thin,
       side: level,
       top: up.clone().multiplyScalar(1).addScaledVector(thin, 1e-3),
-      oblique: thin.clone().addScaledVector(level, 0.62).addScaledVector(up, 0.5),
+      oblique: thin.clone().addScaledVector(level, 0.45).addScaledVector(up, 0.4),
     }[from].normalize();
     this.controls.target.copy(this.centre);
     this.camera.position.copy(this.centre).addScaledVector(towards, this.size);
