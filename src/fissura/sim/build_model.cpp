@@ -17,6 +17,7 @@
 #include "fissura/model/make_joints.hpp"
 #include "fissura/model/presets.hpp"
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/sim/advice.hpp"
 #include "fissura/step/stable_step.hpp"
 
 namespace fissura::sim {
@@ -140,6 +141,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   contact::check_start(m);
   choose_step(m);
   build_absorbing(m); // after mass scaling
+  for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));
   note_assumptions(m, report);
   note_records(m, report);
   return m;
