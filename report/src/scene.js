@@ -70,7 +70,10 @@ export function showScene(page, numbers, moment, state) {
     refresh();
   });
   const widths = [0, 1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 3e-4, 5e-4, 1e-3, 2e-3, 5e-3].filter((w) => w < (view.cracks?.largest ?? 0));
-  const least = slider("cracks from", { min: 0, max: Math.max(widths.length - 1, 0), step: 1, value: 0 }, (i) => (widths[i] ? quantity(widths[i], "m", 2) : "all"), (i) => {
+  // Hairlines nobody would see hide the cracks that matter: not drawn at first where there are wide ones.
+  const hairline = view.cracks?.largest > 2e-4 ? widths.indexOf(2e-5) : 0;
+  view.options.least = widths[hairline] ?? 0;
+  const least = slider("cracks from", { min: 0, max: Math.max(widths.length - 1, 0), step: 1, value: hairline }, (i) => (widths[i] ? quantity(widths[i], "m", 2) : "all"), (i) => {
     view.set({ least: widths[i] });
     refresh();
   });
