@@ -14,7 +14,10 @@ endif
 PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudunits2-dev libcli11-dev \
   libfmt-dev libspdlog-dev libgmsh-dev libpugixml-dev zlib1g-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev \
   python3-numpy python3-matplotlib
-TEST_PACKAGES    := $(PROGRAM_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs
+# The report page is bundled with npm; a node that came from elsewhere is as good.
+PAGE_PACKAGES    := $(if $(shell command -v npm),,nodejs npm)
+# chromium: the tests open the report page; skipped where there is none.
+TEST_PACKAGES    := $(PROGRAM_PACKAGES) $(PAGE_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs chromium
 DOCS_PACKAGES    := mkdocs
 PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
 FORMAT_PACKAGES  := clang-format
@@ -29,11 +32,11 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
   $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 endef
 
-.PHONY: help setup setup-program setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test verify validate \
-  figures pictures bench docs python fuzz format install clean
+.PHONY: help setup setup-program setup-page setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test \
+  verify validate figures pictures bench docs python fuzz format install clean
 
 help:
-	@echo "make demo      install what is missing, build, run a small beam to failure, draw its curve"
+	@echo "make demo      install what is missing, build, run a small beam to failure: report, curve, crack picture"
 	@echo "make test      install what is missing, build all, run all tests"
 	@echo "make build     build the program only: $(PROGRAM)"
 	@echo "make verify    run the verification cases: $(BUILD)/verification.csv"
@@ -45,6 +48,8 @@ help:
 setup: setup-tests
 setup-program:
 	$(call install_packages,$(PROGRAM_PACKAGES))
+setup-page:
+	$(call install_packages,$(PAGE_PACKAGES))
 setup-tests:
 	$(call install_packages,$(TEST_PACKAGES))
 setup-docs:
@@ -64,10 +69,11 @@ build-all: setup-tests
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON -DFISSURA_PYTHON=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
-demo: build
+demo: setup-page build
 	$(PROGRAM) run examples/00_demo_beam/case.toml --out runs/demo --force
-	$(PYTHON) tools/plot_history.py runs/demo --x deflection --y load --peak -o runs/demo/load_deflection.png
-	@echo "run folder: runs/demo"
+	$(PROGRAM) plot runs/demo --x deflection --y load --peak -o runs/demo/load_deflection.png
+	$(PROGRAM) picture runs/demo -o runs/demo/crack.png
+	@echo "run folder: runs/demo; open runs/demo/report.html in a browser"
 
 test: build-all
 	ctest --test-dir $(BUILD) --output-on-failure -j 2
@@ -86,9 +92,9 @@ figures: build
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS)
 
 # Every run folder under runs/ that holds fields gets its crack picture.
-pictures: setup-program
+pictures: build
 	@set -e; for fields in $(wildcard runs/*/fields.pvd); do run=$$(dirname $$fields); \
-	  $(PYTHON) tools/picture.py $$run -o $$run/crack.png; done
+	  $(PROGRAM) picture $$run -o $$run/crack.png; done
 
 # Medians of five rounds, compared with the last on this machine: some minutes.
 bench: build

@@ -19,7 +19,8 @@ configure_file(${SOURCE}/package.json ${BUILD}/package.json COPYONLY)
 configure_file(${SOURCE}/package-lock.json ${BUILD}/package-lock.json COPYONLY)
 configure_file(${SOURCE}/build.mjs ${BUILD}/build.mjs COPYONLY)
 if(NOT EXISTS ${stamp})
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error --fetch-retries=1
+                          --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000
                   WORKING_DIRECTORY ${BUILD} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said
                   TIMEOUT 300)
   if(failed)

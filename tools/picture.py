@@ -29,6 +29,8 @@ import fissura_io as io
 # The pale end of the map is left out: a hairline crack must stand out from the grey body.
 CRACKS = LinearSegmentedColormap.from_list("cracks", plt.get_cmap("inferno_r")(np.linspace(0.25, 1, 256)))
 BARS = plt.get_cmap("viridis")
+# What may colour the cracks: factor to the unit shown, and its name.
+FIELDS = {"opening": (1e3, "crack opening [mm]"), "sliding": (1e3, "sliding of the crack faces [mm]"), "damage": (1.0, "damage [-]")}
 PIECES = 0.45 + 0.55 * plt.get_cmap("tab10")(np.arange(10))[[7, 0, 1, 2, 4, 6, 8, 9, 3], :3]
 CRUMBS = np.array([0.80, 0.70, 0.55])
 # Corners of the face opposite to corner 0, 1, 2, 3 of a tet; normals point outwards.
@@ -41,11 +43,12 @@ class Scene:
     body: np.ndarray          # triangles x 3 corners x 3
     body_group: np.ndarray
     cracks: np.ndarray
-    opening: np.ndarray       # [mm]
+    value: np.ndarray         # of the cracks, in the unit of `crack_label`
     bars: np.ndarray          # lines x 2 ends x 3
     stress: np.ndarray        # [MPa]
     warp: float
     body_colour: np.ndarray | None = None  # of the fragments, or grey
+    crack_label: str = FIELDS["opening"][1]
     planes: np.ndarray = field(default_factory=lambda: np.zeros((0, 3, 3)))
     impactors: np.ndarray = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
@@ -96,7 +99,8 @@ def displacement_at(grid, fields, by_position):
     return np.array([by_position.get(p.tobytes(), nothing) for p in grid.points + 0.0]).reshape(-1, 3)
 
 
-def make_scene(run, time, warp, minimum_damage, fragments=False):
+def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="opening"):
+    factor, crack_label = FIELDS[colour_by]
     moment, files = run.frame("fields", time)
     if not files:
         raise io.BadFile(f"{run.folder}: no frame in fields.pvd")
@@ -115,7 +119,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False):
     faces, cells, colours = fragment_faces(fields) if fragments else (*outer_faces(fields), None)
     groups = fields.cell_data.get("group", np.zeros(fields.types.size, int))
     scene = Scene((fields.points + warp * moved)[faces], groups[cells], np.zeros((0, 3, 3)), np.zeros(0),
-                  np.zeros((0, 2, 3)), np.zeros(0), warp, colours)
+                  np.zeros((0, 2, 3)), np.zeros(0), warp, colours, crack_label)
 
     for part in [] if fragments else run.frame("cracks", moment)[1]:
         grid = io.read_vtu(part)
@@ -123,7 +127,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False):
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
         shown = damage >= minimum_damage
         scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
-        scene.opening = np.append(scene.opening, 1e3 * grid.cell_data["opening"][which][shown])
+        scene.value = np.append(scene.value, factor * grid.cell_data[colour_by][which][shown])
     for part in run.frame("bars", moment)[1]:
         grid = io.read_vtu(part)
         lines, which = grid.cells(io.LINE)
@@ -187,11 +191,11 @@ def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
         order = np.argsort((scene.bars @ camera[2]).mean(axis=1))
         axes.add_collection(LineCollection((scene.bars @ camera[:2].T)[order], array=scene.stress[order], cmap=BARS,
                                            norm=bar_norm, linewidths=1.1, capstyle="round"))
-    if scene.opening.size:
+    if scene.value.size:
         depth = (scene.cracks @ camera[2]).mean(axis=1)
-        order = np.argsort(scene.opening if widest_last else depth, kind="stable")
+        order = np.argsort(scene.value if widest_last else depth, kind="stable")
         # A crack seen edge-on has no area: its outline shows it.
-        axes.add_collection(PolyCollection((scene.cracks @ camera[:2].T)[order], array=scene.opening[order],
+        axes.add_collection(PolyCollection((scene.cracks @ camera[:2].T)[order], array=scene.value[order],
                                            cmap=CRACKS, norm=crack_norm, edgecolors="face", linewidths=0.7))
     if scene.impactors.size:
         faces = np.cross(scene.impactors[:, 1] - scene.impactors[:, 0], scene.impactors[:, 2] - scene.impactors[:, 0]) @ camera[2] > 0
@@ -217,10 +221,10 @@ def draw(scene, moment, title, up, out):
     cameras = [side, oblique_camera(side)]
     width = 10.0
     heights = [min(7.0, max(1.2, width * s[1] / s[0])) for s in (size_of(scene, c) for c in cameras)]
-    bars_below = [b for b in (scene.opening.size, scene.stress.size) if b]
+    bars_below = [b for b in (scene.value.size, scene.stress.size) if b]
     figure = plt.figure(figsize=(width, sum(heights) + 0.6 + (0.9 if bars_below else 0)), dpi=140)
     total = figure.get_figheight()
-    crack_norm = Normalize(0, max(np.percentile(scene.opening, 99) if scene.opening.size else 1, 1e-9))
+    crack_norm = Normalize(0, max(np.percentile(scene.value, 99) if scene.value.size else 1, 1e-9))
     bar_norm = Normalize(min(0.0, scene.stress.min()), max(scene.stress.max(), 1e-9)) if scene.stress.size else None
 
     top = total - 0.5
@@ -229,8 +233,8 @@ def draw(scene, moment, title, up, out):
         axes = figure.add_axes([0.01, top / total, 0.98, height / total])
         paint(axes, scene, camera, crack_norm, bar_norm, widest_last)
     keys = []
-    if scene.opening.size:
-        keys.append((crack_norm, CRACKS, "crack opening [mm]"))
+    if scene.value.size:
+        keys.append((crack_norm, CRACKS, scene.crack_label))
     if scene.stress.size:
         keys.append((bar_norm, BARS, "bar stress [MPa]"))
     for i, (norm, colours, text) in enumerate(keys):
@@ -240,9 +244,17 @@ def draw(scene, moment, title, up, out):
     figure.savefig(out)
 
 
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
 def main():
     parser = argparse.ArgumentParser(description="Draws the cracks of a run as a PNG.")
     parser.add_argument("run", help="run folder")
+    parser.add_argument("--field", default="opening", choices=list(FIELDS), help="what colours the cracks")
     parser.add_argument("--time", default="last", help="seconds (the nearest frame), or last")
     parser.add_argument("--warp", default="auto", help="factor on the displacements, or auto")
     parser.add_argument("--up", default="z", choices="xyz", help="axis that points up in the picture")
@@ -251,9 +263,12 @@ def main():
     parser.add_argument("--title", help="default: the name of the run folder")
     parser.add_argument("-o", "--out", required=True, help="PNG to write")
     arguments = parser.parse_args()
+    for name, word in (("time", "last"), ("warp", "auto")):
+        if not is_number(getattr(arguments, name)) and getattr(arguments, name) != word:
+            sys.exit(f"picture: --{name} is a number or `{word}`, not `{getattr(arguments, name)}`")
     try:
         run = io.Run(arguments.run)
-        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments)
+        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field)
         draw(scene, moment, arguments.title or run.folder.resolve().name, "xyz".index(arguments.up), arguments.out)
     except (io.BadFile, OSError) as error:
         sys.exit(f"picture: {error}")

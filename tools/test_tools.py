@@ -168,7 +168,7 @@ class Picture(WithFolder):
         make_run(self.folder)
         moment, scene = picture.make_scene(io.Run(self.folder), "last", "10", 0.2)
         self.assertEqual(moment, 0.5)
-        np.testing.assert_allclose(scene.opening, [0.2, 0.6, 0.9])
+        np.testing.assert_allclose(scene.value, [0.2, 0.6, 0.9])
         self.assertLess(scene.stress.max(), 400)
         self.assertAlmostEqual(scene.cracks[2, 0, 2], -0.2, places=12)
 

@@ -180,7 +180,7 @@ class Runs:
 
     def command(self, name, *more):
         spec = self.specs[name]
-        command = [str(self.program), "run", str(EXAMPLES / spec.deck), "--quiet", "--force", "--threads", str(spec.threads)]
+        command = [str(self.program), "run", str(EXAMPLES / spec.deck), "--quiet", "--no-report", "--force", "--threads", str(spec.threads)]
         for change in spec.changes:
             command += ["--set", change]
         return command + list(more)
@@ -226,7 +226,7 @@ class Runs:
         folder = self.path(name)
         with tempfile.TemporaryDirectory() as scratch:
             wanted = self.echo(self.command(name), Path(scratch) / "wanted")
-            given = self.echo([str(self.program), "run", str(Path(source) / "case.toml"), "--quiet"], Path(scratch) / "given")
+            given = self.echo([str(self.program), "run", str(Path(source) / "case.toml"), "--quiet", "--no-report"], Path(scratch) / "given")
             if wanted != given:
                 raise RunFailed(f"{source}: made from another deck than {name}")
         status = json.loads((Path(source) / "run.json").read_text(encoding="utf-8"))["status"]

@@ -29,8 +29,8 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
 
   picture_ = app.add_subcommand("picture", "Draw the cracks of a run as a PNG");
   picture_->add_option("folder", folder_, "Run folder")->required();
-  picture_->add_option("--field", field_, "What colours the cracks: opening, sliding, damage or mode")
-      ->check(CLI::IsMember({"opening", "sliding", "damage", "mode"}));
+  picture_->add_option("--field", field_, "What colours the cracks: opening, sliding or damage")
+      ->check(CLI::IsMember({"opening", "sliding", "damage"}));
   picture_->add_option("--time", time_, "Seconds (the nearest frame), or last");
   picture_->add_option("--warp", warp_, "Factor on the displacements, or auto");
   picture_->add_option("--up", up_, "Axis that points up: x, y or z")->check(CLI::IsMember({"x", "y", "z"}));

@@ -20,10 +20,11 @@ export function showBars(page, numbers, moment) {
     const described = deck.bars[b];
     return `${described?.name || `bar ${b + 1}`}${described?.count > 1 || (!described && c > 0) ? `, no. ${c + 1}` : ""}`;
   };
-  const stresses = value("stress", frames.length - 1);
-  let most = 0;
-  stresses.forEach((s, i) => Math.abs(s) > Math.abs(stresses[most]) && (most = i));
-  const choice = { id: `${bar[most]}/${copy[most]}` };
+  // The bar to begin with: the one that has yielded most, or else the one that was stretched most.
+  const rank = new Map(names.map((id) => [id, 0]));
+  states.forEach((s, i) => rank.set(`${jointBar[i]}/${jointCopy[i]}`, (rank.get(`${jointBar[i]}/${jointCopy[i]}`) ?? 0) + (s > 0 ? 1 : 0)));
+  if (![...rank.values()].some((n) => n > 0)) value("stress", frames.length - 1).forEach((s, i) => rank.set(`${bar[i]}/${copy[i]}`, Math.max(rank.get(`${bar[i]}/${copy[i]}`), Math.abs(s))));
+  const choice = { id: names.reduce((best, id) => (rank.get(id) > rank.get(best) ? id : best)) };
 
   const box = section("bars", "Along the bars", null);
   const place = element("div.pair"), status = element("p.note");
@@ -42,8 +43,8 @@ export function showBars(page, numbers, moment) {
     const x = `along the bar [${lengthUnit}]`;
     const f_y = deck.bars[b]?.f_y;
     const highest = Math.max(0, ...elements.map((i) => Math.abs(stress[i])));
-    const lines = () => (f_y && highest > 0.3 * f_y ? [{ y: f_y / 1e6, text: `f_y ${digits(f_y / 1e6, 3)} MPa`, colour: LINES[4], include: true },
-      ...(elements.some((i) => stress[i] < -0.5 * f_y) ? [{ y: -f_y / 1e6, text: "−f_y", colour: LINES[4], include: true }] : [])] : []);
+    const lines = () => (f_y && highest > 0.3 * f_y ? [{ y: f_y / 1e6, text: `yield ${digits(f_y / 1e6, 3)} MPa`, colour: LINES[4], include: true },
+      ...(elements.some((i) => stress[i] < -0.5 * f_y) ? [{ y: -f_y / 1e6, text: "−yield", colour: LINES[4], include: true }] : [])] : []);
     const cracked = joints.filter((i) => atJoint[i] !== 0 || slip[i] !== 0);
     const first = scatter("plot-bar-stress", { x, y: "stress [MPa]", lines, series: [
       { label: "bar", colour: LINES[0], x: elements.map((i) => along[i] * lengthFactor), y: elements.map((i) => stress[i] / 1e6) },

@@ -11,7 +11,7 @@ export function showComparison(page, numbers) {
   const common = runs[0].columns.map((c) => c.name).filter((n) => runs[1].find(n));
   page.append(element("div.top", element("div", element("p.kicker", "Fissura comparison"), element("h1", `${meta.names[0]} and ${meta.names[1]}`)),
     element(`span.status.${meta.agree ? "complete" : "failed"}`, meta.agree ? "agree" : "differ")));
-  page.append(element("p.note", meta.verdict));
+  page.append(element("p.note.lead", meta.verdict));
 
   const gauges = common.filter((n) => !n.startsWith("energy_") && n !== "time");
   const choice = mainPair(runs[0], meta.gauges);
@@ -24,7 +24,7 @@ export function showComparison(page, numbers) {
 
   const table = section("differences", "Differences", `Mean and largest difference over the range of the first run's column, where both runs have rows; above ${percent(meta.tolerance)} in the mean counts as different.`);
   table.append(element("div.scroll", element("table", element("thead", element("tr", ["column", "mean", "largest", "at t [s]", "peak, first", "peak, second", ""].map((h) => element("th", h)))),
-    element("tbody", meta.rows.map((r) => element("tr", element("td.word", element("code", r.name), r.unit === "-" ? "" : ` [${r.unit}]`), element("td.strong", percent(r.mean)), element("td", percent(r.largest)), element("td", digits(r.at, 4)),
+    element("tbody", meta.rows.filter((r) => r.peaks.some((p) => p !== 0)).map((r) => element("tr", element("td.word", element("code", r.name), r.unit === "-" ? "" : ` [${r.unit}]`), element("td.strong", percent(r.mean)), element("td", percent(r.largest)), element("td", digits(r.at, 4)),
       element("td", digits(r.peaks[0], 4)), element("td", digits(r.peaks[1], 4)), element("td.word", r.differs ? element("b.bad", "differs") : "")))))));
   page.append(table);
   page.append(element("footer", `Written ${meta.written} by Fissura ${meta.version}.`));

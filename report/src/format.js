@@ -63,21 +63,21 @@ export function axisLabel(name, unit) {
 /** One value with its unit. */
 export function quantity(value, unit, significant = 3, name = "") {
   const [text, factor] = shownUnit(unit, Math.abs(value), name);
-  return `${digits(value * factor, significant)}${text ? "\u2009" + text : ""}`;
+  return `${digits(value * factor, significant)}${text ? "\u202f" + text : ""}`;
 }
 
 export function percent(share, significant = 2) {
-  return `${digits(100 * share, significant)}\u2009%`;
+  return `${digits(100 * share, significant)}\u202f%`;
 }
 
 export function duration(seconds) {
   const s = Math.round(seconds);
-  if (seconds < 10) return `${digits(seconds, 2)}\u2009s`;
-  if (s < 60) return `${s}\u2009s`;
-  if (s < 3600) return `${Math.floor(s / 60)}\u2009min ${s % 60}\u2009s`;
-  return `${Math.floor(s / 3600)}\u2009h ${Math.floor((s / 60) % 60)}\u2009min`;
+  if (seconds < 10) return `${digits(seconds, 2)}\u202fs`;
+  if (s < 60) return `${s}\u202fs`;
+  if (s < 3600) return `${Math.floor(s / 60)}\u202fmin ${s % 60}\u202fs`;
+  return `${Math.floor(s / 3600)}\u202fh ${Math.floor((s / 60) % 60)}\u202fmin`;
 }
 
 export function whole(n) {
-  return String(Math.round(n)).replace(/\B(?=(\d{3})+(?!\d))/g, "\u2009");
+  return String(Math.round(n)).replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
 }

@@ -11,11 +11,11 @@ const FONT = '12px "Inter", "Segoe UI", "Lato", "Helvetica Neue", Arial, sans-se
 export const drawn = []; // all plots of the page
 
 function axes(x, y) {
-  const common = { stroke: INK, font: FONT, labelFont: FONT, labelGap: 2, grid: { stroke: GRID, width: 1 }, ticks: { stroke: GRID, width: 1, size: 5 } };
+  const common = { stroke: INK, font: FONT, labelFont: FONT, labelGap: 0, labelSize: 20, grid: { stroke: GRID, width: 1 }, ticks: { stroke: GRID, width: 1, size: 5 } };
   const values = (u, ticks) => ticks.map((v) => (v === null ? null : Number(v.toPrecision(12)).toString().replace("-", "−")));
   return [
-    { ...common, label: x, values, space: 60 },
-    { ...common, label: y, values, size: 62, space: 36 },
+    { ...common, label: x, values, space: 60, size: 28 },
+    { ...common, label: y, values, size: 52, space: 36 },
   ];
 }
 
@@ -51,35 +51,15 @@ function drawMark(context, shape, x, y, size, colour) {
   context.stroke(p);
 }
 
-/** marks(): [{x, y, text, shape, colour}] in the plot's units, asked for at every drawing. */
+/** marks(): [{x, y, shape, colour}] in the plot's units, asked for at every drawing. */
 function markPlugin(marks) {
   return {
     hooks: {
       draw: (u) => {
         const context = u.ctx, ratio = window.devicePixelRatio;
-        const taken = [];
         context.save();
-        context.font = FONT.replace("12px", `${12 * ratio}px`);
-        context.textBaseline = "middle";
-        for (const m of marks()) {
-          if (!Number.isFinite(m.x) || !Number.isFinite(m.y)) continue;
-          const x = u.valToPos(m.x, "x", true), y = u.valToPos(m.y, "y", true);
-          drawMark(context, m.shape, x, y, 4.5 * ratio, m.colour);
-          if (!m.text) continue;
-          const width = context.measureText(m.text).width;
-          const right = x + width + 12 * ratio > u.bbox.left + u.bbox.width;
-          let top = y - (m.shape === "ring" ? -14 : 12) * ratio;
-          if (top < u.bbox.top + 8 * ratio) top = y + 14 * ratio;
-          while (taken.some(([l, r, t]) => Math.abs(t - top) < 14 * ratio && x - width < r && x + width > l)) top += 15 * ratio;
-          taken.push([x - width, x + width, top]);
-          context.lineWidth = 3 * ratio;
-          context.strokeStyle = "rgb(255 255 255 / 85%)";
-          context.fillStyle = INK;
-          context.textAlign = right ? "right" : "left";
-          const left = x + (right ? -8 : 8) * ratio;
-          context.strokeText(m.text, left, top);
-          context.fillText(m.text, left, top);
-        }
+        for (const m of marks())
+          if (Number.isFinite(m.x) && Number.isFinite(m.y)) drawMark(context, m.shape, u.valToPos(m.x, "x", true), u.valToPos(m.y, "y", true), 4.5 * ratio, m.colour);
         context.restore();
       },
     },
@@ -230,7 +210,7 @@ export function overTime(id, { x, y, times, series, marks = () => [], lines = ()
         const i = u.cursor.idx;
         tip.hidden = i === null || i === undefined || u.cursor.left < 0;
         if (tip.hidden) return;
-        tip.textContent = [`${x.replace(/ \[.*/, "")} ${digits(times[i], 4)}${/\[(.*)\]/.exec(x)?.[1] ? "\u2009" + /\[(.*)\]/.exec(x)[1] : ""}`,
+        tip.textContent = [`${x.replace(/ \[.*/, "")} ${digits(times[i], 4)}${/\[(.*)\]/.exec(x)?.[1] ? "\u202f" + /\[(.*)\]/.exec(x)[1] : ""}`,
           ...series.map((s) => `${s.label}: ${digits((s.raw ?? s.values)[i], 3)}`)].join("\n");
         const left = u.over.offsetLeft + u.cursor.left;
         tip.style.left = left > 0.6 * box.clientWidth ? "" : `${left + 12}px`;
@@ -241,6 +221,13 @@ export function overTime(id, { x, y, times, series, marks = () => [], lines = ()
   };
   const u = keep(box, new uPlot(options, [times, ...series.map((s) => s.values)], box));
   return { box, redraw: () => u.redraw(false), plot: u };
+}
+
+const SHAPES = { circle: "●", diamond: "◆", triangle: "▲", ring: "○" };
+
+/** Keys of the marks: their shape, and what they say. */
+export function markKeys(marks) {
+  return element("ul.keys.marks", marks.map((m) => element("li", element("b", { style: `color:${m.colour}` }, SHAPES[m.shape]), m.text)));
 }
 
 export { LINES };

@@ -3,7 +3,7 @@ import { Curves } from "./data.js";
 import { element, section, select } from "./dom.js";
 import { events, kineticRatio, mainPair, reversals, rowAt } from "./events.js";
 import { digits, duration, largestOf, percent, quantity, shown, shownUnit, whole } from "./format.js";
-import { keys, LINES, overTime, scatter } from "./plots.js";
+import { keys, LINES, markKeys, overTime, scatter } from "./plots.js";
 import { showScene } from "./scene.js";
 import { showBars } from "./bars.js";
 import { crackTable, energyTable, facts, logSection } from "./tables.js";
@@ -44,11 +44,10 @@ function heading(meta, curves) {
 /** The numbers an engineer looks for first. */
 function figures(meta, curves) {
   const pair = mainPair(curves, meta.deck.gauges);
-  const x = shown(curves.find(pair.x)), y = shown(curves.find(pair.y));
-  const at = (row) => `at ${x.name.replaceAll("_", " ")} ${digits(x.values[row], 3)}${x.unit ? "\u2009" + x.unit : ""}`;
+  const at = (row) => `at ${pair.x.replaceAll("_", " ")} ${quantity(curves.values(pair.x)[row], curves.find(pair.x).unit, 3, pair.x)}`;
   const list = [];
   const add = (name, value, note) => list.push(element("div.figure", element("span.name", name), element("span.value", value), element("span.note", note)));
-  const value = (row) => `${digits(y.values[row], 3)}${y.unit ? "\u2009" + y.unit : ""}`;
+  const value = (row) => quantity(curves.values(pair.y)[row], curves.find(pair.y).unit, 3, pair.y);
   const names = { peak: `peak ${pair.y.replaceAll("_", " ")}`, cracking: "first crack", yield: "first yield", rupture: "first bar breaks" };
   const found = events(curves, pair.y);
   for (const name of ["peak", "cracking", "yield", "rupture"]) {
@@ -83,7 +82,7 @@ function energyVerdict(run, curves) {
   const size = Math.abs(residual);
   const level = size < 0.01 ? "good" : size < 0.05 ? "look" : "bad";
   return verdict(level, level === "good" ? "Energy is balanced" : "Energy is out of balance",
-    `The accounts miss at most ${percent(size)} of the energy put in (${residual < 0 ? "created" : "lost"}); below 1\u2009% is good, the run stops at 5\u2009%.`);
+    `The accounts miss at most ${percent(size)} of the energy put in (${residual < 0 ? "created" : "lost"}); below 1\u202f% is good, the run stops at 5\u202f%.`);
 }
 
 function quasiStatic(meta, curves) {
@@ -96,10 +95,10 @@ function quasiStatic(meta, curves) {
   const share = run?.quasi_static_share, balance = run?.force_imbalance;
   const quiet = run ? share > 0.9 && balance < 0.05 : untilPeak > 0.9;
   const numbers = [];
-  if (run) numbers.push(`Kinetic over internal energy is below 5\u2009% in ${percent(share)} of the readings (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}.`);
+  if (run) numbers.push(`Kinetic over internal energy is below 5\u202f% in ${percent(share)} of the readings (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}.`);
   if (untilPeak !== null) numbers.push(`Up to the peak: ${percent(untilPeak, 3)} of the readings.`);
   if (quiet) return verdict("good", "Quasi-static", numbers.join(" "));
-  if (meta.deck.dynamic) return verdict("plain", "Dynamic", `Inertia takes part, as the case asks for. ${numbers.join(" ")}`);
+  if (meta.deck.dynamic) return verdict("plain", "Dynamic", `Inertia takes part, as the case asks for. ${numbers[0] ?? ""}`);
   if (untilPeak > 0.9)
     return verdict("good", "Quasi-static up to the peak", `${numbers.join(" ")} What follows the peak is dynamic, as a failure is.`);
   return verdict("look", "Inertia matters", `${numbers.join(" ")} If the test is a slow one: load more slowly, or raise mass_damping.`);
@@ -117,7 +116,7 @@ function loadSection(meta, curves, moment) {
   const gauges = curves.columns.filter((c) => !c.name.startsWith("energy_") && !COUNTS.test(c.name));
   const choice = mainPair(curves, meta.deck.gauges);
   const cyclic = reversals(curves.values(choice.x)).length >= 3 && choice.x !== "time";
-  const box = section("load", cyclic ? "Hysteresis" : "Load and displacement", null);
+  const box = section("load", cyclic ? "Hysteresis" : choice.x === "time" ? "Readings" : "Load and displacement", null);
   const place = element("div.pair");
   const options = gauges.map((c) => [c.name, c.name.replaceAll("_", " ")]);
   const controls = element("div.controls",
@@ -128,16 +127,19 @@ function loadSection(meta, curves, moment) {
     const x = shown(curves.find(choice.x)), y = shown(curves.find(choice.y)), t = shown(curves.find("time"));
     const found = events(curves, choice.y);
     const now = () => rowAt(curves.values("time"), moment.time);
-    const text = (e) => `${e.text} ${digits(y.values[e.row], 3)}${y.unit ? "\u2009" + y.unit : ""}`;
-    const marks = (xs) => () => [...found.map((e) => ({ ...e, x: xs.values[e.row], y: y.values[e.row], text: text(e) })),
-      { x: xs.values[now()], y: y.values[now()], shape: "ring", colour: "#1f2933", text: "" }];
+    const withUnit = (c, row) => `${digits(c.values[row], 3)}${c.unit ? "\u202f" + c.unit : ""}`;
+    const text = (e) => `${e.text}: ${withUnit(y, e.row)} at ${withUnit(x, e.row)}`;
+    const marks = (xs) => () => [...found.map((e) => ({ ...e, x: xs.values[e.row], y: y.values[e.row] })),
+      { x: xs.values[now()], y: y.values[now()], shape: "ring", colour: "#1f2933" }];
+    const said = [...found.map((e) => ({ ...e, text: text(e) })), { shape: "ring", colour: "#1f2933", text: "the moment of the 3-D view" }];
     const over = scatter("plot-load", { x: x.label, y: y.label, series: [{ x: x.values, y: y.values, label: y.name, colour: LINES[0] }], marks: marks(x), height: 340,
-      tip: (s, i) => `${x.label}: ${digits(x.values[i], 4)}\n${y.label}: ${digits(y.values[i], 4)}\nt: ${digits(t.values[i], 4)}\u2009${t.unit}` });
+      tip: (s, i) => `${x.label}: ${digits(x.values[i], 4)}\n${y.label}: ${digits(y.values[i], 4)}\nt: ${digits(t.values[i], 4)}\u202f${t.unit}` });
     const history = overTime("plot-history", { x: t.label, y: y.label, times: t.values, series: [{ values: y.values, label: y.name.replaceAll("_", " "), colour: LINES[0] }],
-      now: () => moment.time * t.factor, marks: () => found.map((e) => ({ ...e, x: t.values[e.row], y: y.values[e.row], text: "" })), height: 340 });
-    plots = [over, history];
-    place.replaceChildren(element("figure", over.box, element("figcaption", `${y.label.replace(/ \[.*/, "")} over ${x.label.replace(/ \[.*/, "")}. The ring marks the moment of the 3-D view.`)),
-      element("figure", history.box, element("figcaption", "The same over time. Drag to zoom, double click for all.")));
+      now: () => moment.time * t.factor, marks: marks(t), height: 340 });
+    plots = choice.x === "time" ? [history] : [over, history];
+    if (choice.x === "time") return place.replaceChildren(element("figure.wide", history.box, markKeys(said), element("figcaption", "Drag along the axis to zoom, double click to see all.")));
+    place.replaceChildren(element("figure", over.box, markKeys(said)),
+      element("figure", history.box, element("figcaption", "The same over time. Drag along the axis to zoom, double click to see all.")));
   };
   redraw();
   moment.followers.push(() => plots.forEach((p) => p.redraw()));

@@ -6,7 +6,7 @@ import { View } from "./view3d.js";
 
 export function showScene(page, numbers, moment, state) {
   const { meta } = numbers;
-  const box = section("scene", "Cracks and bars", null);
+  const box = section("scene", meta.scene?.bars?.stress ? "Cracks and bars" : "Cracks", null);
   page.append(box);
   if (!meta.scene || meta.frames.length === 0) {
     box.append(element("p.note", "No frame has been saved yet."));
@@ -31,8 +31,12 @@ export function showScene(page, numbers, moment, state) {
   const last = view.times.length - 1;
   const pieces = view.body.fragment?.some((f) => f > 0);
 
+  // A body in many pieces is read by its pieces; else the cracks inside it matter.
+  if (pieces && meta.run?.fragments?.count > 50) view.options.concrete = "pieces";
+  if (view.options.concrete === "pieces") view.options.cracks = "hidden";
+
   const refresh = () => {
-    clock.textContent = `t = ${quantity(view.times[view.frame], "s", 4)}   displacements ×\u2009${digits(view.options.scale, 3)}`;
+    clock.textContent = `t = ${quantity(view.times[view.frame], "s", 4)}   displacements ×\u202f${factor(view.options.scale)}`;
     drawLegend(legend, view);
   };
   const show = (frame) => {
@@ -61,12 +65,15 @@ export function showScene(page, numbers, moment, state) {
   });
 
   const scales = scaleSteps(natural);
-  const scale = slider("deformation", { min: 0, max: scales.length - 1, step: 1, value: scales.indexOf(natural) }, (i) => `×\u2009${digits(scales[i], 3)}`, (i) => {
+  const scale = slider("deformation", { min: 0, max: scales.length - 1, step: 1, value: scales.indexOf(natural) }, (i) => `×\u202f${factor(scales[i])}`, (i) => {
     view.set({ scale: scales[i] });
     refresh();
   });
   const widths = [0, 1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 3e-4, 5e-4, 1e-3, 2e-3, 5e-3].filter((w) => w < (view.cracks?.largest ?? 0));
-  const least = slider("cracks from", { min: 0, max: Math.max(widths.length - 1, 0), step: 1, value: 0 }, (i) => (widths[i] ? quantity(widths[i], "m", 2) : "all"), (i) => {
+  // Hairlines nobody would see hide the cracks that matter: not drawn at first where there are wide ones.
+  const hairline = view.cracks?.largest > 2e-4 ? widths.indexOf(2e-5) : 0;
+  view.options.least = widths[hairline] ?? 0;
+  const least = slider("cracks from", { min: 0, max: Math.max(widths.length - 1, 0), step: 1, value: hairline }, (i) => (widths[i] ? quantity(widths[i], "m", 2) : "all"), (i) => {
     view.set({ least: widths[i] });
     refresh();
   });
@@ -80,8 +87,8 @@ export function showScene(page, numbers, moment, state) {
   box.append(
     element("div.controls.time", play, time),
     element("div.controls", scale, view.cracks && least,
-      select("concrete", [["glass", "glass"], ["solid", "solid"], ...(pieces ? [["pieces", "fragments"]] : []), ["hidden", "hidden"]], "glass", change("concrete")),
-      view.cracks && select("cracks by", [["opening", "opening"], ["mode", "mode"], ["time", "time of failure"], ["hidden", "hidden"]], "opening", change("cracks")),
+      select("concrete", [["glass", "glass"], ["solid", "solid"], ...(pieces ? [["pieces", "fragments"]] : []), ["hidden", "hidden"]], view.options.concrete, change("concrete")),
+      view.cracks && select("cracks by", [["opening", "opening"], ["mode", "mode"], ["time", "time of failure"], ["hidden", "hidden"]], view.options.cracks, change("cracks")),
       view.cracks && select("scale", [["log", "logarithmic"], ["linear", "linear"]], "log", (v) => change("logarithmic")(v === "log")),
       view.bars && select("bars", [["on", "by stress"], ["off", "hidden"]], "on", (v) => change("bars")(v === "on")),
       element("span.views", look("oblique"), look("front"), look("side"), look("top"), save)));
@@ -90,6 +97,9 @@ export function showScene(page, numbers, moment, state) {
   view.show(last);
   refresh();
 }
+
+/** A factor of 1, 2 or 5 times a power of ten. */
+const factor = (v) => Number(v.toPrecision(2)).toString();
 
 /** 0, 1 and the steps 1, 2, 5 around the natural factor. */
 function scaleSteps(natural) {
@@ -132,6 +142,6 @@ function drawLegend(legend, view) {
 function decades(least, largest) {
   const values = [];
   for (let p = Math.round(Math.log10(least)); 10 ** p <= largest * 1.0001; ++p) values.push(Number((10 ** p).toPrecision(3)));
-  if (Math.log10(largest / values.at(-1)) > 0.3) values.push(largest);
+  if (Math.log(largest / values.at(-1)) > 0.15 * Math.log(largest / least)) values.push(largest);
   return values;
 }

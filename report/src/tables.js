@@ -5,8 +5,13 @@ import { digits, duration, percent, quantity, shownUnit, whole } from "./format.
 
 const MODE_NAMES = { 0: "not failed", 1: "opening", 2: "sliding", 3: "mixed" };
 
+const WORDS = new Set(["mode", "account", "what"]);
+
+/** Widths in mm, as far as they can be told apart. */
+const millimetres = (m) => (1e3 * m).toFixed(Math.abs(m) >= 1e-2 ? 1 : Math.abs(m) >= 1e-3 ? 2 : 3).replace("-", "−");
+
 function table(head, rows) {
-  return element("div.scroll", element("table", element("thead", element("tr", head.map((h) => element("th", h)))), element("tbody", rows)));
+  return element("div.scroll", element("table", element("thead", element("tr", head.map((h) => element(WORDS.has(h) ? "th.word" : "th", h)))), element("tbody", rows)));
 }
 
 export function crackTable(meta, moment) {
@@ -16,7 +21,7 @@ export function crackTable(meta, moment) {
   const [unit, factor] = long ? ["m", 1] : ["mm", 1e3];
   box.append(table(["", `x [${unit}]`, `y [${unit}]`, `z [${unit}]`, "width now [mm]", "largest [mm]", "when", "sliding now [mm]", "mode", "failed at"],
     rows.map((r, i) => element("tr", element("td", String(i + 1)), r.place.map((p) => element("td", digits(p * factor, 4))),
-      element("td", digits(1e3 * r.now, 3)), element("td.strong", digits(1e3 * r.largest, 3)), element("td", quantity(r.time, "s", 3)), element("td", digits(1e3 * r.sliding, 3)),
+      element("td", millimetres(r.now)), element("td.strong", millimetres(r.largest)), element("td", quantity(r.time, "s", 3)), element("td", millimetres(r.sliding)),
       element("td.word", element("i.area", { style: `background:${MODES[r.mode]}` }), MODE_NAMES[r.mode] ?? "–"), element("td", r.failed > 0 ? quantity(r.failed, "s", 3) : "holds")))));
   return box;
 }
@@ -45,7 +50,7 @@ export function facts(meta) {
     return box;
   }
   const pairs = [["tets, joints", `${whole(run.tets)}, ${whole(run.joints)}`], ["bar elements, bar joints", `${whole(run.bar_elements)}, ${whole(run.bar_joints)}`], ["time step", `${quantity(run.dt, "s", 4).replace("ms", "ms")}`],
-    ["limited by", run.stable_dt_limiter], ["mass", `${digits(run.total_mass, 4)}\u2009kg${run.added_mass > 0 ? ` + ${digits(run.added_mass, 3)}\u2009kg by mass scaling` : ""}`],
+    ["limited by", run.stable_dt_limiter], ["mass", `${digits(run.total_mass, 4)}\u202fkg${run.added_mass > 0 ? ` + ${digits(run.added_mass, 3)}\u202fkg by mass scaling` : ""}`],
     ["joints damaged, cracked, broken", `${whole(run.joints_damaged)}, ${whole(run.joints_cracked)}, ${whole(run.joints_broken)}`],
     ["bar joints crossed, yielded", `${whole(run.bar_joints_activated)}, ${whole(run.bar_joints_yielded)}`], ["bars broken", whole(run.bars_broken)],
     ["wall time", `${duration(run.wall_seconds)} on ${run.threads} thread${run.threads === 1 ? "" : "s"} (${digits(run.tet_steps_per_second / 1e6, 3)} million tet-steps a second)`],

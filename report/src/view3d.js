@@ -10,6 +10,23 @@ import { barColour, crackColour, modeColour, pieceColour } from "./colours.js";
 const CONCRETE = new Color("#b4bac2");
 const FEATURE_ANGLE = Math.cos((30 * Math.PI) / 180);
 
+/** A colour as the renderer computes with it. */
+function linear(srgb) {
+  return new Color().setRGB(...srgb, "srgb").toArray();
+}
+
+/** A colour map as a table: thousands of triangles ask for colours at every moment. */
+class ColourTable {
+  constructor(map) {
+    this.colours = Array.from({ length: 256 }, (_, i) => linear(map(i / 255)));
+  }
+  at(share) {
+    return this.colours[Math.max(0, Math.min(255, Math.round(255 * share)))];
+  }
+}
+
+const crackTable = new ColourTable(crackColour), barTable = new ColourTable(barColour);
+
 function dynamic(array, size) {
   const attribute = new BufferAttribute(array, size);
   attribute.setUsage(DynamicDrawUsage);
@@ -91,7 +108,9 @@ export class View {
   displacement(kind, frame) {
     const values = this.numbers.get(`${kind}/u/${frame}`);
     const scale = this.meta[kind].u[frame];
-    return Float32Array.from(values, (v) => v * scale);
+    const out = new Float32Array(values.length);
+    for (let i = 0; i < values.length; ++i) out[i] = values[i] * scale;
+    return out;
   }
 
   /** The next lower 1, 2 or 5 times a power of ten that shows the movement of the frame as 5 % of the body. */
@@ -233,17 +252,17 @@ export class View {
     const a = new Vector3(), b = new Vector3(), c = new Vector3(), grey = new Color();
     for (let t = 0; t < count; ++t) {
       for (let k = 0; k < 3; ++k) {
-        const p = 3 * body.corner[3 * t + k];
-        position.array.set(moved.subarray(p, p + 3), 9 * t + 3 * k);
+        const p = 3 * body.corner[3 * t + k], to = 9 * t + 3 * k;
+        (position.array[to] = moved[p]), (position.array[to + 1] = moved[p + 1]), (position.array[to + 2] = moved[p + 2]);
       }
       a.fromArray(position.array, 9 * t), b.fromArray(position.array, 9 * t + 3), c.fromArray(position.array, 9 * t + 6);
       b.sub(a).cross(c.sub(a)).normalize();
       const triangle = body.order[t];
-      if (options.concrete === "pieces" && body.fragment) grey.fromArray(pieceColour(body.fragment[triangle]));
+      if (options.concrete === "pieces" && body.fragment) grey.fromArray(linear(pieceColour(body.fragment[triangle])));
       else grey.copy(CONCRETE).multiplyScalar(0.88 ** Math.min(body.group[triangle], 3));
-      for (let k = 0; k < 3; ++k) {
-        normal.array.set([b.x, b.y, b.z], 9 * t + 3 * k);
-        colour.array.set([grey.r, grey.g, grey.b], 9 * t + 3 * k);
+      for (let k = 9 * t; k < 9 * t + 9; k += 3) {
+        (normal.array[k] = b.x), (normal.array[k + 1] = b.y), (normal.array[k + 2] = b.z);
+        (colour.array[k] = grey.r), (colour.array[k + 1] = grey.g), (colour.array[k + 2] = grey.b);
       }
     }
     for (const attribute of [position, normal, colour]) attribute.needsUpdate = true;
@@ -281,12 +300,11 @@ export class View {
     for (let j = 0; j < shown; ++j) {
       const width = opening[j] * scale;
       if (width < options.least) continue;
-      const c = options.cracks === "mode" ? modeColour(cracks.mode[j])
-        : options.cracks === "time" ? crackColour(1 - (cracks.failed[j] > 0 ? cracks.failed[j] : end) / end)
-        : crackColour(this.crackShare(width));
+      const rgb = options.cracks === "mode" ? linear(modeColour(cracks.mode[j]))
+        : options.cracks === "time" ? crackTable.at(1 - (cracks.failed[j] > 0 ? cracks.failed[j] : end) / end)
+        : crackTable.at(this.crackShare(width));
       for (let k = 0; k < 9; ++k) position.array[9 * n + k] = cracks.points[9 * j + k] + options.scale * u[9 * j + k];
-      const rgb = new Color().setRGB(...c, "srgb");
-      for (let k = 0; k < 3; ++k) colour.array.set([rgb.r, rgb.g, rgb.b], 9 * n + 3 * k);
+      for (let k = 0; k < 9; ++k) colour.array[9 * n + k] = rgb[k % 3];
       ++n;
     }
     position.needsUpdate = colour.needsUpdate = true;
@@ -303,8 +321,8 @@ export class View {
     deform(positions.array, bars.points, u, options.scale);
     const stress = this.numbers.get(`bars/stress/${frame}`), scale = this.meta.bars.stress[frame];
     stress.forEach((s, i) => {
-      const rgb = new Color().setRGB(...barColour((s * scale - bars.low) / (bars.high - bars.low)), "srgb");
-      colours.array.set([rgb.r, rgb.g, rgb.b, rgb.r, rgb.g, rgb.b], 6 * i);
+      const rgb = barTable.at((s * scale - bars.low) / (bars.high - bars.low));
+      for (let k = 0; k < 6; ++k) colours.array[6 * i + k] = rgb[k % 3];
     });
     positions.needsUpdate = colours.needsUpdate = true;
   }
@@ -327,7 +345,7 @@ export class View {
       front: thin,
       side: level,
       top: up.clone().multiplyScalar(1).addScaledVector(thin, 1e-3),
-      oblique: thin.clone().addScaledVector(level, 0.62).addScaledVector(up, 0.5),
+      oblique: thin.clone().addScaledVector(level, 0.45).addScaledVector(up, 0.4),
     }[from].normalize();
     this.controls.target.copy(this.centre);
     this.camera.position.copy(this.centre).addScaledVector(towards, this.size);

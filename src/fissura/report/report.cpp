@@ -53,12 +53,15 @@ Blob report_numbers(RunFolder const& run, ReportOptions const& options) {
   return blob;
 }
 
-std::string write_report(std::string const& folder, ReportOptions const& options) {
+std::string report_page(std::string const& folder, ReportOptions const& options) {
   require_page();
-  RunFolder const run(folder);
+  Blob const numbers = report_numbers(RunFolder(folder), options);
+  return fill_page(numbers.meta["title"].get<std::string>(), numbers.text());
+}
+
+std::string write_report(std::string const& folder, ReportOptions const& options) {
   std::string const out = options.out.empty() ? folder + "/report.html" : options.out;
-  Blob const numbers = report_numbers(run, options);
-  output::replace_file(out, fill_page(numbers.meta["title"].get<std::string>(), numbers.text()));
+  output::replace_file(out, report_page(folder, options));
   return out;
 }
 

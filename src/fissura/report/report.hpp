@@ -14,8 +14,10 @@ struct ReportOptions {
   std::size_t megabytes = 15; ///< largest size of the page: frames are left out to stay below it
 };
 
-/// Writes the page and returns its path. Works on a finished run and on one still going on. Throws
-/// core::Error(Failure::io) for what cannot be read or written, or if the program was built without the page.
+/// The page of a run, finished or still going on. Throws core::Error(Failure::io) for what cannot be read, or
+/// if the program was built without the page.
+std::string report_page(std::string const& folder, ReportOptions const& options);
+/// Writes the page and returns its path.
 std::string write_report(std::string const& folder, ReportOptions const& options);
 
 /// The numbers of the page of one run.

@@ -116,12 +116,12 @@ void add_rigid(Blob& blob, Frames const& files, std::vector<std::size_t> const& 
   blob.meta["scene"]["rigid"] = {{"u", scales}};
 }
 
-/// Two places belong to one crack if they are nearer than half the smallest extent of the body: cracks are
-/// rarely closer than that, and two mean edges at least.
+/// Two places belong to one crack if they are nearer than half the smallest extent of the body, since cracks
+/// are rarely closer than that, or hardly further apart than an edge of a tet.
 double place_distance(Body const& body) {
   double least =
       std::min({body.high[0] - body.low[0], body.high[1] - body.low[1], body.high[2] - body.low[2]});
-  return std::max(0.5 * least, 2 * body.edge);
+  return std::max(0.5 * least, 1.2 * body.edge);
 }
 
 Json table_of(std::vector<CrackRow> const& rows) {

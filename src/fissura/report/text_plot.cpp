@@ -82,8 +82,8 @@ std::string text_plot(std::span<double const> x, std::span<double const> y, std:
   }
   text += fmt::format("{:>10} +{:-<{}}\n", "", "", size.width);
   std::string const low = fmt::format("{:.4g}", wide.low), high = fmt::format("{:.4g}", wide.high);
-  text += fmt::format("{:>12}{}{:>{}}\n", "", low, high + " " + x_label,
-                      std::max(1, size.width - static_cast<int>(low.size())));
+  text += fmt::format("{:>12}{} {:>{}}\n", "", low, high + " " + x_label,
+                      std::max(1, size.width - static_cast<int>(low.size()) - 1));
   return text;
 }
 

@@ -22,6 +22,18 @@ History::Column const& column(RunFolder const& run, std::string const& name) {
                                                       run.path(), name, names));
 }
 
+/// Values and unit as an engineer reads them: kN, mm and MPa.
+History::Column shown(History::Column c) {
+  double largest = 0;
+  for (double const v : c.values) largest = std::max(largest, std::abs(v));
+  double factor = 1;
+  if (c.unit == "N" && largest >= 500) factor = 1e-3, c.unit = "kN";
+  if (c.unit == "m" && largest < 10) factor = 1e3, c.unit = "mm";
+  if (c.unit == "Pa" && largest >= 1e4) factor = 1e-6, c.unit = "MPa";
+  for (double& v : c.values) v *= factor;
+  return c;
+}
+
 double last(RunFolder const& run, char const* name) {
   auto const* c = run.history.find(name);
   return c && !c->values.empty() ? c->values.back() : 0;
@@ -90,8 +102,8 @@ std::string watch_screen(RunFolder const& run, WatchOptions const& options) {
   text += fmt::format("energy residual {:+.2g} %   {}", 100 * last(run, "energy_residual"), counts(run));
 
   auto const chosen = main_pair(run);
-  auto const &x = column(run, options.x.empty() ? chosen.x : options.x),
-             &y = column(run, options.y.empty() ? chosen.y : options.y);
+  auto const x = shown(column(run, options.x.empty() ? chosen.x : options.x)),
+             y = shown(column(run, options.y.empty() ? chosen.y : options.y));
   text += "\n" + text_plot(x.values, y.values, fmt::format("{} [{}]", x.name, x.unit),
                            fmt::format("{} [{}]", y.name, y.unit), options.plot);
   if (!run.log.empty()) text += "\n";

@@ -17,6 +17,7 @@
 #include "fissura/model/make_joints.hpp"
 #include "fissura/model/presets.hpp"
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/sim/advice.hpp"
 #include "fissura/sim/doubts.hpp"
 #include "fissura/step/stable_step.hpp"
 
@@ -141,6 +142,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   contact::check_start(m);
   choose_step(m);
   build_absorbing(m); // after mass scaling
+  for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));
   for (auto& doubt : doubts(m, report.quality)) report.warnings.push_back(std::move(doubt));
   note_assumptions(m, report);
   note_records(m, report);

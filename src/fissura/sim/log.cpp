@@ -11,6 +11,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/atomic_file.hpp"
+#include "fissura/sim/terminal.hpp"
 
 namespace fissura::sim {
 
@@ -45,7 +46,11 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
 std::shared_ptr<spdlog::logger> make_log(bool quiet) {
   auto log = std::make_shared<spdlog::logger>("fissura");
   if (!quiet) {
-    auto sink = std::make_shared<spdlog::sinks::stdout_color_sink_mt>();
+    auto const mode = standard_output().colour ? spdlog::color_mode::always : spdlog::color_mode::never;
+    auto sink = std::make_shared<spdlog::sinks::stdout_color_sink_mt>(mode);
+    sink->set_color(spdlog::level::info, "");
+    sink->set_color(spdlog::level::warn, "\x1b[33m");
+    sink->set_color(spdlog::level::err, "\x1b[1;31m");
     sink->set_pattern("%^%v%$");
     sink->set_level(spdlog::level::info);
     log->sinks().push_back(sink);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "fissura/report/text_plot.hpp"
+
 namespace fissura::sim {
 
 double Progress::elapsed() const {
@@ -25,6 +27,25 @@ double Progress::eta(double done, double wall) {
   window_[samples_++ % size] = now;
   if (now.done <= oldest.done || now.wall <= oldest.wall) return -1;
   return std::max(0.0, (1 - now.done) * (now.wall - oldest.wall) / (now.done - oldest.done));
+}
+
+std::string progress_line(Standing const& s) {
+  return fmt::format(
+      "{:5.1f} %  t = {:.4g} s  left {}  residual {:+.2g} %  joints damaged {} broken {}  bars yielded {} "
+      "broken {}",
+      100 * s.share, s.time, s.left < 0 ? "?" : readable_duration(s.left), 100 * s.residual, s.joints_damaged,
+      s.joints_broken, s.bars_yielded, s.bars_broken);
+}
+
+std::string progress_bar_line(Standing const& s, int width, bool colour) {
+  int const bar = std::clamp(width / 4, 8, 30);
+  std::string text = progress_line(s);
+  auto const room = static_cast<std::size_t>(std::max(0, width - bar - 4));
+  if (text.size() > room) text.resize(room); // a line that wraps cannot be written over
+  std::string const filled = report::progress_bar(s.share, bar);
+  std::size_t const done = filled.find_last_of('#') + 1; // npos + 1 = 0
+  return fmt::format("[{}{}{}{}] {}", colour ? "\x1b[36m" : "", filled.substr(0, done),
+                     colour ? "\x1b[0m" : "", filled.substr(done), text);
 }
 
 std::string readable_duration(double seconds) {

@@ -29,6 +29,21 @@ class Progress {
   std::size_t samples_ = 0;
 };
 
+/// What the progress line says.
+struct Standing {
+  double share = 0;    ///< of the simulated time, 0 to 1
+  double time = 0;     ///< reached [s]
+  double left = -1;    ///< wall time [s]; < 0 = not known yet
+  double residual = 0; ///< of the energy
+  int joints_damaged = 0, joints_broken = 0, bars_yielded = 0, bars_broken = 0;
+};
+
+/// For a log: everything in one line.
+std::string progress_line(Standing const& s);
+/// For a terminal `width` characters wide: with a bar, cut off where the line ends; the bar in colour if
+/// asked.
+std::string progress_bar_line(Standing const& s, int width, bool colour);
+
 /// "1 h 02 min", "3 min 20 s", "12 s".
 std::string readable_duration(double seconds);
 

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "fissura/core/error.hpp"
+#include "fissura/output/atomic_file.hpp"
 #include "fissura/report/page.hpp"
 #include "fissura/report/report.hpp"
 
@@ -13,15 +14,16 @@ ReportWriter::ReportWriter(std::string folder, std::string version, bool wanted)
     : folder_(std::move(folder)), version_(std::move(version)), wanted_(wanted && !folder_.empty()) {}
 
 bool ReportWriter::write(spdlog::logger& log) {
+  std::string page;
   try {
-    report::write_report(folder_, {.out = {}, .version = version_});
-    return true;
+    page = report::report_page(folder_, {.out = {}, .version = version_});
   } catch (core::Error const& e) {
-    if (e.failure == core::Failure::io) throw; // a full disk is no small matter of a page
     log.warn("no report page: {}", e.what());
     wanted_ = false;
     return false;
   }
+  output::replace_file(folder_ + "/report.html", page); // a full disk is no small matter of a page
+  return true;
 }
 
 void ReportWriter::meanwhile(double elapsed, spdlog::logger& log) {

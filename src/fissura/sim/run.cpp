@@ -1,7 +1,5 @@
 #include "fissura/sim/run.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -31,6 +29,7 @@
 #include "fissura/sim/run_folder.hpp"
 #include "fissura/sim/state_hash.hpp"
 #include "fissura/sim/stops.hpp"
+#include "fissura/sim/terminal.hpp"
 #include "fissura/step/advance.hpp"
 
 namespace fissura::step {
@@ -332,20 +331,18 @@ class Run::Impl {
 
   void show_progress() {
     report_page_.meanwhile(progress_.elapsed(), *log_);
-    bool const terminal = ::isatty(STDOUT_FILENO) && !options_.quiet;
+    bool const terminal = terminal_.is_terminal && !options_.quiet;
     if (!progress_.due(terminal ? 1 : 10)) return;
-    double const done = s_.load_time() / end(), left = progress_.eta(done);
+    double const done = s_.load_time() / end();
     auto const joints = concrete::count_joints(m_, s_);
     auto const bars = count_bars(s_.bars);
-    std::string const line =
-        fmt::format("{:5.1f} %  t = {:.4g} s  left {}  residual {:+.2g} %  joints damaged {} broken {}  bars "
-                    "yielded {} broken {}",
-                    100 * done, s_.time, left < 0 ? "?" : readable_duration(left), 100 * monitor_.residual(),
-                    joints.damaged, joints.broken, bars.yielded, bars.broken);
+    Standing const now{done,           s_.time,       progress_.eta(done), monitor_.residual(),
+                       joints.damaged, joints.broken, bars.yielded,        bars.broken};
     if (terminal)
-      fmt::print("\r{:<120}", line), std::fflush(stdout);
+      fmt::print("\r\x1b[K{}", progress_bar_line(now, terminal_.width, terminal_.colour)),
+          std::fflush(stdout);
     else
-      log_->info("{}", line);
+      log_->info("{}", progress_line(now));
   }
 
   void finish_once() {
@@ -360,7 +357,7 @@ class Run::Impl {
   }
 
   void finish() {
-    if (::isatty(STDOUT_FILENO) && !options_.quiet) fmt::print("\n");
+    if (terminal_.is_terminal && !options_.quiet) fmt::print("\r\x1b[K");
     if (fields_) fields_->write(m_, s_);
     history_->close();
     if (!options_.out.empty()) output::write_json(options_.out + "/run.json", summary());
@@ -482,6 +479,7 @@ class Run::Impl {
   PaceControl pace_;
   std::optional<Trouble> trouble_; ///< what ended the run, if it failed
   Progress progress_;
+  Terminal terminal_ = standard_output();
   double end_; ///< when the stages end, as far as known [s]
   Due history_due_, frame_due_;
   ReportWriter report_page_{options_.out, options_.version, options_.report};

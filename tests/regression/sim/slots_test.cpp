@@ -1,6 +1,8 @@
 // The places of joint forces after a restart are those that a run has come to step by step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "fissura/concrete/concrete.hpp"
@@ -22,8 +24,11 @@ std::array<int, 5> statuses(model::Model const& m, state::State const& s) {
 // joint.
 TEST(JointSlots, follow_the_state) {
   Stepper x(deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {}));
-  x.advance(1000);
-  auto const count = statuses(x.m, x.s);
+  auto count = statuses(x.m, x.s);
+  for (int i = 0; i < 300 && std::find(count.begin(), count.end(), 0) != count.end(); ++i) {
+    x.advance(10);
+    count = statuses(x.m, x.s);
+  }
   for (int status = 0; status < 5; ++status) EXPECT_GT(count[status], 0) << "status " << status;
   auto const fresh = concrete::make_joint_slots(x.m, x.s);
   ASSERT_EQ(fresh.place.size(), x.w.joints.place.size());

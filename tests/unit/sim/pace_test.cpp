@@ -74,7 +74,9 @@ TEST(Pace, slow_loading_takes_fewer_steps_and_gives_the_same_curve) {
     EXPECT_NEAR(paced.rows.at(i, "force"), slope * paced.rows.at(i, "moved"), 0.01 * largest) << i;
     // the curve: a velocity of 0.01 m/s that is reached smoothly, half of it on the way
     double const tau = paced.rows.at(i, "load_time");
-    if (tau > 4e-3) EXPECT_NEAR(paced.rows.at(i, "moved"), 0.01 * (tau - 2e-3), 1e-9) << i;
+    if (tau > 4e-3) {
+      EXPECT_NEAR(paced.rows.at(i, "moved"), 0.01 * (tau - 2e-3), 1e-9) << i;
+    }
     EXPECT_GE(paced.rows.at(i, "pace"), 1 - 1e-12);
     EXPECT_LE(paced.rows.at(i, "pace"), 4 + 1e-12);
   }
