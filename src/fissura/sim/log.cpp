@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <mutex>
 #include <unistd.h>
+#include <utility>
 
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -25,7 +26,12 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | begin, 0666);
     if (descriptor_ < 0) output::throw_io_error("open the log", path_, errno);
   }
-  ~LogFile() override { ::close(descriptor_); }
+  ~LogFile() override {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  void close() {
+    if (::close(std::exchange(descriptor_, -1)) != 0) output::throw_io_error("close", path_, errno);
+  }
   LogFile(LogFile const&) = delete;
   LogFile& operator=(LogFile const&) = delete;
 
@@ -66,6 +72,14 @@ void log_to_file(spdlog::logger& log, std::string const& path, bool anew) {
   auto sink = std::make_shared<LogFile>(path, anew);
   sink->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
   log.sinks().push_back(sink);
+}
+
+void close_log_file(spdlog::logger& log) {
+  for (auto it = log.sinks().begin(); it != log.sinks().end(); ++it)
+    if (auto const file = std::dynamic_pointer_cast<LogFile>(*it)) {
+      log.sinks().erase(it);
+      return file->close();
+    }
 }
 
 } // namespace fissura::sim

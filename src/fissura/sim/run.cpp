@@ -380,6 +380,7 @@ class Run::Impl {
                  "trusting the run",
                  100 * m_.source.run.residual_warn);
     report_page_.at_end(*log_);
+    close_log_file(*log_);
   }
 
   output::Json summary() const {
