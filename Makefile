@@ -33,7 +33,7 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
 endef
 
 .PHONY: help setup setup-program setup-page setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test \
-  verify validate figures pictures bench docs python fuzz format install clean
+  verify properties validate figures pictures bench docs python fuzz format install clean
 
 help:
 	@echo "make demo      install what is missing, build, run a small beam to failure: report, curve, crack picture"
@@ -81,8 +81,16 @@ test: build-all
 verify: build
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/verification.csv --jobs $(JOBS)
 
+# The property tests with as many random cases as was promised: a quarter of an hour.
+RANDOM_CASES ?= 100000
+properties: setup-tests
+	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS) --target laws_laws unit_rebar
+	FISSURA_RANDOM=$(RANDOM_CASES) $(BUILD)/tests/laws_laws --gtest_filter='Random*'
+	FISSURA_RANDOM=10000 $(BUILD)/tests/unit_rebar --gtest_filter='Random*'
+
 # All cases, an hour or more; also draws all figures and writes the verification page.
-validate: build
+validate: build properties
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --long
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/validation.csv --jobs $(JOBS) --long \
 	  --page docs/verification/index.md
@@ -112,7 +120,7 @@ python: setup-python
 
 # One reader after the other, FUZZ_SECONDS each. Starts from the corpus and the examples' decks, keeps what it learns in
 # build-fuzz/corpus.
-FUZZ_READERS ?= deck mesh record
+FUZZ_READERS ?= deck mesh inp record checkpoint
 fuzz: setup-fuzz
 	cmake --preset fuzz
 	cmake --build build-fuzz -j $(JOBS) --target $(addprefix fuzz_,$(FUZZ_READERS))

@@ -22,7 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{2} << 30U;
-constexpr std::size_t most_members = 50'000'000; ///< of all sets together
+constexpr std::size_t longest_line = 1 << 16; ///< characters
+constexpr std::size_t most_sets = 100'000;
+/// What is kept of a file stays in proportion to its size: so many, and one more for every few bytes. (Files
+/// that people make have a node in 20 bytes or more, an element in 16, an entry of a set in 8.)
+constexpr std::size_t always_allowed = 500'000;
+constexpr std::size_t bytes_per_node = 16, bytes_per_element = 12, bytes_per_entry = 8;
+constexpr std::size_t members_per_entry = 4; ///< of all sets together: sets overlap
 
 enum class Kind { tet, triangle, line };
 
@@ -33,9 +39,13 @@ struct Element {
   int line = 0;               ///< of the file
 };
 
-/// One entry of a set: a number, a range or the name of a set defined before.
+/// One entry of a set: a number, a range or a set defined before.
 struct Entry {
   int first = 0, last = 0, step = 1;
+  int set = -1; ///< its place in Sets::list; -1: a range
+  int line = 0;
+};
+struct Section {
   std::string set;
   int line = 0;
 };
@@ -79,9 +89,11 @@ constexpr std::array<std::array<int, 3>, 4> side_corners{{{0, 1, 2}, {0, 3, 1}, 
 
 class Reader {
  public:
-  Reader(fs::path const& path_, double unit_) : path(path_), unit(unit_) {}
+  Reader(std::string const& file_, double unit_) : file(file_), unit(unit_) {}
 
-  Mesh read(std::string const& text) {
+  Mesh read(std::string_view text) {
+    size = text.size();
+    refuse_long_lines(text);
     InpScanner scanner(text);
     InpLine line;
     bool more = scanner.next(line);
@@ -92,8 +104,10 @@ class Reader {
       }
       InpLine const keyword = line;
       auto const take = action(keyword);
-      more = scanner.next(line);
-      for (; more && !line.keyword; more = scanner.next(line))
+      auto const data =
+          take == &Reader::take_element ? InpScanner::Data::goes_on : InpScanner::Data::one_line;
+      more = scanner.next(line, data);
+      for (; more && !line.keyword; more = scanner.next(line, data))
         if (take) (this->*take)(keyword, line);
     }
     return finish();
@@ -103,7 +117,27 @@ class Reader {
   using Action = void (Reader::*)(InpLine const& keyword, InpLine const& data);
 
   [[noreturn]] void refuse(int line, std::string message) const {
-    throw core::InputError({path.string(), line, 0}, std::move(message));
+    throw core::InputError({file, line, 0}, std::move(message));
+  }
+
+  void refuse_long_lines(std::string_view text) const {
+    int number = 1;
+    for (std::size_t from = 0; from < text.size(); ++number) {
+      std::size_t const end = std::min(text.find('\n', from), text.size());
+      if (end - from > longest_line)
+        refuse(number, fmt::format("a line of more than {} characters", longest_line));
+      from = end + 1;
+    }
+  }
+  /// Refuses the next one of `count` things, each of which should take some bytes of the file.
+  void bound(std::size_t count, std::size_t bytes_each, int line, char const* what) const {
+    if (count >= always_allowed + size / bytes_each)
+      refuse(line, fmt::format("more {} than a file of this size describes", what));
+  }
+  Set& named(Sets& sets, std::string const& name, Origin origin, int line) const {
+    if (sets.list.size() >= most_sets && !sets.find(name))
+      refuse(line, fmt::format("more than {} sets", most_sets));
+    return sets.named(name, origin);
   }
 
   // ---- keywords -------------------------------------------------------------------------------
@@ -124,7 +158,7 @@ class Reader {
     if (k.name == "NSET" || k.name == "ELSET") return set_keyword(k);
     if (k.name == "SURFACE") return surface_keyword(k);
     if (k.name == "SOLID SECTION")
-      if (auto const* set = k.parameter("ELSET")) sections.push_back({0, 0, 1, *set, k.number});
+      if (auto const* set = k.parameter("ELSET")) sections.push_back({*set, k.number});
     return nullptr;
   }
 
@@ -138,7 +172,7 @@ class Reader {
     if (auto const* system = k.parameter("SYSTEM"); system && in_capitals(*system) != "R")
       refuse(k.number, "*NODE with SYSTEM: only rectangular coordinates are known");
     node_set = k.parameter("NSET");
-    if (node_set) node_sets.named(*node_set, Origin::element_line);
+    if (node_set) named(node_sets, *node_set, Origin::element_line, k.number);
     return &Reader::take_node;
   }
 
@@ -159,7 +193,7 @@ class Reader {
                          "are known; mesh the concrete with linear tetrahedra",
                          name));
     element_set = k.parameter("ELSET");
-    if (element_set) element_sets.named(*element_set, Origin::element_line);
+    if (element_set) named(element_sets, *element_set, Origin::element_line, k.number);
     return &Reader::take_element;
   }
 
@@ -167,7 +201,7 @@ class Reader {
     if (in_assembly && !k.parameter("INSTANCE")) return nullptr; // of reference points
     auto const* name = k.parameter(k.name);
     if (!name || name->empty()) refuse(k.number, fmt::format("*{0} needs a name: *{0}, {0}=name", k.name));
-    (k.name == "NSET" ? node_sets : element_sets).named(*name, Origin::set_keyword);
+    named(k.name == "NSET" ? node_sets : element_sets, *name, Origin::set_keyword, k.number);
     return &Reader::take_members;
   }
 
@@ -176,6 +210,7 @@ class Reader {
     if (type && in_capitals(*type) != "ELEMENT") return nullptr; // of nodes, or analytical
     auto const* name = k.parameter("NAME");
     if (!name || name->empty()) refuse(k.number, "*SURFACE needs a name: *SURFACE, NAME=name");
+    if (surfaces.size() >= most_sets) refuse(k.number, fmt::format("more than {} surfaces", most_sets));
     surfaces.push_back({*name, {}});
     return &Reader::take_side;
   }
@@ -211,6 +246,7 @@ class Reader {
       refuse(d.number,
              fmt::format("a node has a number and three coordinates, not {} values", d.fields.size()));
     int const id = whole(d, 0);
+    bound(nodes.size(), bytes_per_node, d.number, "nodes");
     nodes.push_back({id, d.number, unit * Vec3{real(d, 1), real(d, 2), real(d, 3)}});
     if (node_set) append(node_sets.named(*node_set, Origin::element_line), id, d.number);
   }
@@ -223,40 +259,53 @@ class Reader {
     Element e;
     e.id = whole(d, 0), e.kind = element_kind, e.line = d.number;
     for (std::size_t k = 0; k < corners; ++k) e.nodes[k] = whole(d, k + 1);
+    bound(elements.size(), bytes_per_element, d.number, "elements");
     elements.push_back(e);
     if (element_set) append(element_sets.named(*element_set, Origin::element_line), e.id, d.number);
   }
 
   /// Numbers that follow each other make one entry.
-  static void append(Set& set, int id, int line) {
+  void append(Set& set, int id, int line) {
     if (!set.entries.empty()) {
       auto& last = set.entries.back();
-      if (last.set.empty() && last.step == 1 && long{last.last} + 1 == id) {
+      if (last.set < 0 && last.step == 1 && long{last.last} + 1 == id) {
         last.last = id;
         return;
       }
     }
-    set.entries.push_back({id, id, 1, "", line});
+    add_entry(set.entries, {id, id, 1, -1, line});
+  }
+  void add_entry(std::vector<Entry>& to, Entry const& e) {
+    bound(entries++, bytes_per_entry, e.line, "entries of sets");
+    to.push_back(e);
   }
 
-  Entry entry(InpLine const& d, std::size_t i) const {
+  /// A number, or a set among the first `above` ones.
+  Entry entry(InpLine const& d, std::size_t i, Sets const& sets, std::size_t above) const {
     bool const number =
         !d.fields[i].empty() && d.fields[i].find_first_not_of("0123456789") == std::string::npos;
-    if (!number) return {0, 0, 1, d.fields[i], d.number};
-    int const id = whole(d, i);
-    return {id, id, 1, "", d.number};
+    if (number) {
+      int const id = whole(d, i);
+      return {id, id, 1, -1, d.number};
+    }
+    Set const* set = sets.find(d.fields[i]);
+    if (!set || static_cast<std::size_t>(set - sets.list.data()) >= above)
+      refuse(d.number, fmt::format("there is no {} set \"{}\" above",
+                                   &sets == &node_sets ? "node" : "element", shown(d.fields[i])));
+    return {0, 0, 1, static_cast<int>(set - sets.list.data()), d.number};
   }
 
   void take_members(InpLine const& k, InpLine const& d) {
-    auto& set =
-        (k.name == "NSET" ? node_sets : element_sets).named(*k.parameter(k.name), Origin::set_keyword);
+    auto& sets = k.name == "NSET" ? node_sets : element_sets;
+    auto& set = sets.named(*k.parameter(k.name), Origin::set_keyword);
     if (!k.parameter("GENERATE")) {
+      auto const own = static_cast<std::size_t>(&set - sets.list.data());
       for (std::size_t i = 0; i < d.fields.size(); ++i)
-        if (!d.fields[i].empty()) set.entries.push_back(entry(d, i));
+        if (!d.fields[i].empty()) add_entry(set.entries, entry(d, i, sets, own));
       return;
     }
     if (d.fields.size() < 2 || d.fields.size() > 3) refuse(d.number, "GENERATE expects: first, last, step");
-    set.entries.push_back({whole(d, 0), whole(d, 1), d.fields.size() == 3 ? whole(d, 2) : 1, "", d.number});
+    add_entry(set.entries, {whole(d, 0), whole(d, 1), d.fields.size() == 3 ? whole(d, 2) : 1, -1, d.number});
   }
 
   void take_side(InpLine const&, InpLine const& d) {
@@ -264,7 +313,8 @@ class Reader {
     std::string const label = d.fields.size() == 2 ? in_capitals(d.fields[1]) : "";
     if (label.size() != 2 || label[0] != 'S' || label[1] < '1' || label[1] > '4')
       refuse(d.number, "a line of a *SURFACE is an element or a set of them, and a side S1, S2, S3 or S4");
-    surfaces.back().sides.push_back({entry(d, 0), label[1] - '0'});
+    bound(entries++, bytes_per_entry, d.number, "sides of surfaces");
+    surfaces.back().sides.push_back({entry(d, 0, element_sets, element_sets.list.size()), label[1] - '0'});
   }
 
   // ---- at the end -----------------------------------------------------------------------------
@@ -289,32 +339,34 @@ class Reader {
     return static_cast<std::size_t>(found - items.begin());
   }
 
-  void add_member(std::vector<int>& to, std::size_t index) {
-    if (++members > most_members) refuse(0, "the sets of this file are too large");
-    to.push_back(static_cast<int>(index));
+  /// Room for `count` members more, without holding more than half of it in vain while it grows.
+  void make_room(std::vector<int>& in, std::size_t count) {
+    bound(members / members_per_entry, bytes_per_entry, 0, "members of sets");
+    members += count;
+    if (in.size() + count > in.capacity()) in.reserve(std::max(in.size() + count, in.size() + in.size() / 2));
   }
 
   /// Adds what one entry stands for, as indices into `items`. A range counts what exists in it, as in Abaqus.
   template <class Item>
   void resolve(Entry const& e, std::vector<Item> const& items, Sets const& sets, char const* what,
-               Set const* own, std::vector<int>& to) {
-    if (e.set.empty()) {
-      std::size_t const from = lower(items, e.first), end = lower(items, long{e.last} + 1);
-      if (e.first == e.last && from == end) refuse(e.line, fmt::format("there is no {} {}", what, e.first));
-      for (std::size_t i = from; i < end; ++i)
-        if ((items[i].id - e.first) % e.step == 0) add_member(to, i);
+               std::vector<int>& to) {
+    if (e.set >= 0) {
+      auto const& other = sets.list[static_cast<std::size_t>(e.set)].members;
+      make_room(to, other.size());
+      to.insert(to.end(), other.begin(), other.end());
       return;
     }
-    Set const* other = sets.find(e.set);
-    // `own`: a set may name those above it only
-    if (!other || (own && other >= own))
-      refuse(e.line, fmt::format("there is no {} set \"{}\" above", what, shown(e.set)));
-    for (int const i : other->members) add_member(to, static_cast<std::size_t>(i));
+    std::size_t const from = lower(items, e.first), end = lower(items, long{e.last} + 1);
+    if (e.first == e.last && from == end) refuse(e.line, fmt::format("there is no {} {}", what, e.first));
+    if (from >= end) return;
+    make_room(to, std::min(end - from, static_cast<std::size_t>((e.last - e.first) / e.step) + 1));
+    for (std::size_t i = from; i < end; ++i)
+      if ((items[i].id - e.first) % e.step == 0) to.push_back(static_cast<int>(i));
   }
 
   template <class Item> void resolve_all(Sets& sets, std::vector<Item> const& items, char const* what) {
     for (auto& set : sets.list) {
-      for (auto const& e : set.entries) resolve(e, items, sets, what, &set, set.members);
+      for (auto const& e : set.entries) resolve(e, items, sets, what, set.members);
       std::sort(set.members.begin(), set.members.end());
       set.members.erase(std::unique(set.members.begin(), set.members.end()), set.members.end());
     }
@@ -417,7 +469,7 @@ class Reader {
     return index;
   }
 
-  void add_groups(Mesh& m) const {
+  void add_groups(Mesh& m) {
     for (auto const& set : element_sets.list) {
       LineGroup lines{set.name, {}};
       FaceGroup faces{set.name, {}};
@@ -429,7 +481,7 @@ class Reader {
       if (!lines.segments.empty()) m.line_groups.push_back(std::move(lines));
       if (!faces.triangles.empty()) m.face_groups.push_back(std::move(faces));
     }
-    for (auto const& set : node_sets.list) m.point_groups.push_back({set.name, set.members});
+    for (auto& set : node_sets.list) m.point_groups.push_back({set.name, std::move(set.members)});
   }
 
   void add_surfaces(Mesh& m) {
@@ -437,7 +489,7 @@ class Reader {
       FaceGroup group{surface.name, {}};
       for (auto const& side : surface.sides) {
         std::vector<int> of;
-        resolve(side.elements, elements, element_sets, "element", nullptr, of);
+        resolve(side.elements, elements, element_sets, "element", of);
         for (int const i : of) {
           auto const& e = elements[static_cast<std::size_t>(i)];
           if (e.kind != Kind::tet)
@@ -451,19 +503,20 @@ class Reader {
     }
   }
 
-  fs::path const& path;
+  std::string const& file; ///< stands in messages
   double unit;
   std::vector<Node> nodes;
   std::vector<Element> elements;
   Sets node_sets, element_sets;
   std::vector<Surface> surfaces;
-  std::vector<Entry> sections;
+  std::vector<Section> sections;
   // What the data lines of the present keyword belong to.
   Kind element_kind = Kind::tet;
   std::string const *node_set = nullptr, *element_set = nullptr;
   int parts = 0;
   bool in_assembly = false;
-  std::size_t members = 0;
+  std::size_t size = 0;                 ///< of the file [bytes]
+  std::size_t entries = 0, members = 0; ///< of all sets
 };
 
 std::string read_text(fs::path const& path) {
@@ -481,11 +534,14 @@ std::string read_text(fs::path const& path) {
 
 } // namespace
 
-Mesh read_inp(fs::path const& path, double length_unit) {
+Mesh parse_inp(std::string_view text, std::string const& file, double length_unit) {
   if (!(length_unit > 0))
-    throw core::InputError({path.string(), 0, 0},
-                           fmt::format("length unit {:g} m: it must be positive", length_unit));
-  return Reader(path, length_unit).read(read_text(path));
+    throw core::InputError({file, 0, 0}, fmt::format("length unit {:g} m: it must be positive", length_unit));
+  return Reader(file, length_unit).read(text);
+}
+
+Mesh read_inp(fs::path const& path, double length_unit) {
+  return parse_inp(read_text(path), path.string(), length_unit);
 }
 
 } // namespace fissura::mesh

@@ -1,6 +1,8 @@
 #pragma once
 // Meshes from Abaqus and CalculiX input files (.inp).
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "fissura/mesh/mesh.hpp"
 
@@ -18,5 +20,8 @@ namespace fissura::mesh {
 /// parts, moved instances, *INCLUDE, generated nodes, tets in several volume groups, numbers that do not
 /// exist.
 Mesh read_inp(std::filesystem::path const& path, double length_unit);
+
+/// The same of a text in memory; `file` stands in messages.
+Mesh parse_inp(std::string_view text, std::string const& file, double length_unit);
 
 } // namespace fissura::mesh

@@ -6,6 +6,9 @@ namespace fissura::mesh {
 
 namespace {
 
+/// Characters of a logical line after which it goes on no more: nobody writes longer ones.
+constexpr std::size_t longest_line = 4096;
+
 std::string_view trimmed(std::string_view s) {
   auto const first = s.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
@@ -66,14 +69,15 @@ bool InpScanner::raw(std::string_view& line) {
   return false;
 }
 
-bool InpScanner::next(InpLine& line) {
+bool InpScanner::next(InpLine& line, Data data) {
   std::string_view part;
   if (!raw(part)) return false;
   line = {};
   line.number = count;
   line.keyword = part.front() == '*';
   std::string text(part);
-  while (text.back() == ',') {
+  bool const goes_on = line.keyword || data == Data::goes_on;
+  while (goes_on && text.back() == ',' && text.size() < longest_line) {
     auto const here = *this;
     if (!raw(part)) break;
     if (part.front() == '*') { // the comma was the last one of a list

@@ -10,7 +10,7 @@ namespace fissura::mesh {
 /// Capitals: keywords, parameters and set names do not tell upper from lower case.
 std::string in_capitals(std::string_view text);
 
-/// One logical line: comments are skipped, a line that ends in a comma goes on in the next one.
+/// One logical line: comments are skipped. Keywords that end in a comma go on in the next line.
 struct InpLine {
   int number = 0;                  ///< of its first line, from 1
   bool keyword = false;            ///< begins with a star
@@ -25,9 +25,11 @@ struct InpLine {
 
 class InpScanner {
  public:
+  /// Whether a data line that ends in a comma goes on in the next one: those of elements do.
+  enum class Data { one_line, goes_on };
   explicit InpScanner(std::string_view text) : rest(text) {}
   /// False at the end of the text.
-  bool next(InpLine& line);
+  bool next(InpLine& line, Data data = Data::one_line);
 
  private:
   bool raw(std::string_view& line);

@@ -180,15 +180,53 @@ TEST(ReadInp, refuses_with_the_line) {
   EXPECT_NE(refusal("").find("cannot be read (is it empty"), std::string::npos);
 }
 
-// Requirement: a set that names another one many times over is refused before it fills the memory.
+// Requirement: sets that name others many times over are refused before they fill the memory: some millions
+// of members are allowed in any file, more in one that is large itself.
 TEST(ReadInp, bounds_its_sets) {
   std::string text = two_tets + "*NODE\n";
   for (int i = 100; i < 10100; ++i) text += std::to_string(i) + ", 0, 0, 0\n";
-  text += "*NSET, NSET=s0, GENERATE\n100, 10099\n*NSET, NSET=s1\n";
-  for (int i = 0; i < 4000; ++i) text += "s0\n";
-  EXPECT_EQ(refusal(text), "accepted");
-  for (int i = 0; i < 2000; ++i) text += "s0\n";
-  EXPECT_NE(refusal(text).find("the sets of this file are too large"), std::string::npos);
+  text += "*NSET, NSET=s0, GENERATE\n100, 10099\n";
+  std::string one_set = text + "*NSET, NSET=s1\n", ranges = text, many_sets = text;
+  for (int i = 0; i < 190; ++i) one_set += "s0\n";
+  EXPECT_EQ(refusal(one_set), "accepted");
+  for (int i = 0; i < 100; ++i) one_set += "s0\n";
+  for (int i = 0; i < 300; ++i) ranges += "*NSET, NSET=r" + std::to_string(i) + ", GENERATE\n1, 20000\n";
+  std::string const too_many = "more members of sets than a file of this size describes";
+  EXPECT_NE(refusal(one_set).find(too_many), std::string::npos);
+  EXPECT_NE(refusal(ranges).find(too_many), std::string::npos);
+  for (int i = 0; i < 100001; ++i) many_sets += "*NSET, NSET=m" + std::to_string(i) + "\n";
+  EXPECT_NE(refusal(many_sets).find("more than 100000 sets"), std::string::npos);
+}
+
+// Requirement: short lines by the hundred thousand and lines without end are refused before they fill the
+// memory with many times the size of the file.
+TEST(ReadInp, bounds_its_lines) {
+  auto const repeated = [](char const* head, char const* line, int times) {
+    std::string text = two_tets + head;
+    for (int i = 0; i < times; ++i) text += line;
+    return text;
+  };
+  auto const expect = [](std::string const& text, char const* expected) {
+    std::string const what = refusal(text);
+    EXPECT_NE(what.find(expected), std::string::npos) << what << " instead of " << expected;
+  };
+  expect(repeated("*NODE\n", "7\n", 600000), "more nodes than a file of this size describes");
+  expect(repeated("*ELEMENT, TYPE=T3D2\n", "7,1,2\n", 1100000), "more elements than");
+  expect(repeated("*NSET, NSET=a\n", "1,3\n", 700000), "more entries of sets than");
+  expect(repeated("", "*SURFACE, NAME=a\n", 100001), "more than 100000 surfaces");
+  expect(two_tets + "*NSET, NSET=a\n" + std::string(70000, '1'), "a line of more than 65536 characters");
+}
+
+// Requirement: a comma at the end of a node or of a list of members is no reason to go on in the next line;
+// an element goes on.
+TEST(ReadInp, commas_at_the_end) {
+  Mesh const m =
+      read("*NODE\n1, 0, 0,\n2, 1, 0,\n3, 0, 1,\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4\n1, 1, 2,\n3,\n4\n"
+           "*NSET, NSET=a\n1, 2,\n4,\n");
+  EXPECT_EQ(m.points.size(), 4u);
+  EXPECT_EQ(m.tets.size(), 1u);
+  ASSERT_EQ(m.point_groups.size(), 1u);
+  EXPECT_EQ(m.point_groups[0].points.size(), 3u);
 }
 
 // Requirement: whatever bytes are changed, the reader ends with a mesh or an input error.
