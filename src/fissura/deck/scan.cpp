@@ -77,6 +77,15 @@ void skip_string(Cursor& c) {
     if (!c.done()) step(c);
   }
   step_over(c, quote.size());
+  for (int more = 0; quote.size() == 3 && more < 2 && c.byte() == static_cast<unsigned char>(quote.front());
+       ++more)
+    step(c); // up to two quotes may stand before the three that end it
+}
+
+/// A byte after which a quote begins a string for toml++ too. Elsewhere it would read on in what this scan
+/// takes for a string, and characters beyond ASCII are undefined behaviour for it there.
+bool goes_before_string(unsigned char b) {
+  return b == '\n' || b == '=' || b == ',' || b == '[' || b == '{';
 }
 
 bool ends_dotted_key(unsigned char b) {
@@ -95,10 +104,16 @@ void check_bytes(std::string_view text, std::string const& file) {
     throw core::InputError({file}, fmt::format("the deck is larger than {} MiB", largest_deck >> 20U));
   Cursor c{text, file};
   int dots = 0, values = 0;
+  unsigned char before = '\n'; // the last byte that is no blank
   while (!c.done()) {
     unsigned char const b = c.byte();
     if (b == '"' || b == '\'') {
+      if (!goes_before_string(before))
+        c.refuse(
+            "a quote where no text can begin: a text stands alone behind `=`, a comma or a bracket, and keys "
+            "need no quotes");
       skip_string(c);
+      before = b;
       continue;
     }
     if (b == '#')
@@ -117,6 +132,7 @@ void check_bytes(std::string_view text, std::string const& file) {
       c.refuse("a character that may stand only in quotes or in a comment");
     if (c.byte() == '.' && ++dots >= deepest_key)
       c.refuse(fmt::format("more than {} parts in a dotted key", deepest_key));
+    if (c.byte() != ' ' && c.byte() != '\t' && c.byte() != '\r' && !byte_order_mark) before = c.byte();
     step(c);
   }
 }

@@ -284,6 +284,13 @@ std::vector<Fault> const faults{
     {"control character", "name = \"C30\"", "name = \"C30\x01\"", "7:12: error: control character 0x01"},
     {"bracket and control character", "E = \"30 GPa\"", "E = [\x02", "8:6: error: control character 0x02"},
     {"bad UTF-8", "name = \"C30\"", "name = \"C\xff\"", "7:10: error: byte 0xFF is not valid UTF-8"},
+    // Each of these brought toml++ to undefined behaviour: what looks like a text is none where it stands.
+    {"quote behind a sign", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nnu = -'\xCB\x9A'",
+     "10:7: error: a quote where no text can begin"},
+    {"open quote behind a number", "f_t = \"3 MPa\"", "f_t = \"3 MPa\"\nnu = 2.'\xC3\xA4",
+     "10:8: error: a quote where no text can begin"},
+    {"text behind a text", "name = \"C30\"", "name = \"C\" '\xC3\xA4'",
+     "7:12: error: a quote where no text can begin"},
     {"escaped control character", "name = \"C30\"", "name = \"C\\u0007\"",
      "7:8: error: this text holds a control character"},
 };

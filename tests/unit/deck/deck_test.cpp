@@ -477,6 +477,16 @@ TEST(Deck, Overrides) {
   EXPECT_EQ(c.mesh.boxes[0].cells[2], 6);
 }
 
+// Texts may hold any character and quotes of the other kind, on one line or on several.
+TEST(Deck, TextsOfAllKinds) {
+  std::string const rest = std::string(small).substr(std::string(small).find('\n'));
+  for (auto const* title :
+       {R"("Träger \"1\" 'a'")", R"('Träger "1"')", R"("""Träger ""1"""")", "'''Trä\nger''''"}) {
+    auto const c = read_case_text(std::string("'title' = ") + title + " # ä" + rest, "s.toml");
+    EXPECT_NE(c.title.find("Trä"), std::string::npos) << title;
+  }
+}
+
 std::string refusal(std::vector<std::string> const& overrides) {
   try {
     read_case_text(small, "s.toml", overrides);
