@@ -39,7 +39,10 @@ void turn(SteelParams const& p, KatoHistory& h, int direction) {
 }
 
 double unloading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
-  if (!is_beyond_yield(p, h.eps_max)) return std::max(elastic, -p.f_y);
+  // Without a zero crossing there is no curve (2): so it is too where shear has lowered f_y below the stress
+  // of eps_max only since the bar turned.
+  bool const has_crossed = h.eps_z > KatoHistory{}.eps_z;
+  if (!is_beyond_yield(p, h.eps_max) || !has_crossed) return std::max(elastic, -p.f_y);
   if (elastic < 0 && strain < h.eps_z)
     return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
   return elastic;

@@ -104,4 +104,16 @@ TEST(SteelKato, MisprintedRuptureStrainIsRefused) {
   p.eps_br = 0.12;
   EXPECT_NO_THROW(check_steel_params(p));
 }
+// A bar that never yielded in tension does not go beyond its yield stress in compression when shear lowers
+// that below the stress of its largest strain (at a share of 0.119 here).
+TEST(SteelKato, StrengthThatFallsInCompression) {
+  KatoHistory h;
+  SteelKato law{table_4()};
+  for (double const strain : {3e-4, -2e-3}) go(law, h, strain);
+  for (double share = 1; share > 0.05; share -= 1e-3) {
+    law.params = reduced(table_4(), share);
+    double const stress = law(h, h.strain - 1e-6);
+    EXPECT_NEAR(stress, std::max(-share * 530e6, 210e9 * h.strain), 1) << share;
+  }
+}
 } // namespace
