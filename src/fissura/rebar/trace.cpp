@@ -20,6 +20,9 @@ namespace {
 
 constexpr double shift_1 = 1e-4,
                  shift_2 = 0.618e-4; // of the local cell size; their ratio avoids common planes
+/// A bar that ends on two sides of a body at a small angle leaves it early at one of them, however it is
+/// shifted: it is tried again with this share of the shift.
+constexpr double less_shift = 0.01;
 constexpr double gap_allowed = 1e-3; // of the local cell size: the shifted line may miss an oblique end
 
 /// One straight segment of a bar and the tets that may hold a part of it.
@@ -90,11 +93,12 @@ std::vector<Piece> trace_segment(TraceContext const& c, Segment const& s, std::s
                                                               {-shift_1, shift_2},
                                                               {shift_1, -shift_2}}};
   double furthest = 0;
-  for (auto const& way : ways) {
-    Attempt a = cut(c, s, s.size * (way[0] * s.normal_1 + way[1] * s.normal_2));
-    if (a.complete) return a.pieces;
-    furthest = std::max(furthest, a.covered);
-  }
+  for (double const share : {1.0, less_shift})
+    for (auto const& way : ways) {
+      Attempt a = cut(c, s, share * s.size * (way[0] * s.normal_1 + way[1] * s.normal_2));
+      if (a.complete) return a.pieces;
+      furthest = std::max(furthest, a.covered);
+    }
   Vec3 const p = s.from + (furthest / s.length) * (s.to - s.from);
   throw core::InputError(
       place, fmt::format("bar '{}' leaves the concrete at ({:.6g}, {:.6g}, {:.6g}) m; every point "

@@ -46,6 +46,7 @@ double cell_size(mesh::Mesh const& mesh, int tet);
 /// All tets that the bar passes. The search line is shifted normal to the bar by 1e-4 and 0.618e-4 of the
 /// smallest cell near it, so that a bar along edges or faces of the mesh has a unique tet everywhere; of the
 /// eight ways to shift it the first that stays inside the concrete is taken, so a bar may lie on the surface.
+/// Where none does, a hundredth of the shift is tried.
 /// Throws core::InputError at `place` where the bar is outside the concrete, with the coordinates where it
 /// leaves.
 Chain trace(TraceContext const& context, Polyline const& line, std::string const& name,
