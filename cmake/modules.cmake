@@ -30,5 +30,9 @@ function(fissura_tests kind module)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
     FISSURA_EXAMPLES="${PROJECT_SOURCE_DIR}/examples" FISSURA_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/${kind}/${module}")
+  if(NOT TARGET tests_${kind})
+    add_custom_target(tests_${kind}) # all programs of one kind
+  endif()
+  add_dependencies(tests_${kind} ${target})
   gtest_discover_tests(${target} TEST_PREFIX "${kind}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()

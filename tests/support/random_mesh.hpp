@@ -8,31 +8,9 @@
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/box.hpp"
 #include "fissura/mesh/mesh.hpp"
+#include "support/random.hpp"
 
 namespace fissura::support {
-
-/// A small random number generator whose numbers are the same with every standard library (splitmix64).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  /// Uniform in [low, high).
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
-  }
-  Vec3 vector(double low, double high) {
-    double const x = uniform(low, high), y = uniform(low, high), z = uniform(low, high);
-    return {x, y, z};
-  }
-
- private:
-  std::uint64_t state;
-};
 
 /// A box from the origin to `size` [m] in cells of 6 tets, its points moved by up to `amount` cell lengths
 /// along each axis; points on a side stay in it, corners stay. Moves that would leave a tet with less than a
