@@ -15,6 +15,7 @@ using state::JointBatch;
 /// The rows of JointHistory, in packs.
 template <class V> struct HistoryRows {
   static constexpr int before = 15, lost = 24, handed_over = 27, farthest = 28;
+  static constexpr int accounts = lost; ///< from here on the law does not ask
   V row[state::JointHistory::doubles];
 
   HistoryRows(double const* base, int const* start) {
@@ -32,6 +33,12 @@ template <class V> struct HistoryRows {
           core::store_fours(base, index, {row[first], row[first + 1], row[first + 2], row[first + 3]});
         },
         start);
+  }
+  /// 0 if all accounts are finite, else not a number.
+  V zero_if_finite() const {
+    V sum = row[accounts];
+    for (int i = accounts + 1; i < state::JointHistory::doubles; ++i) sum = sum + row[i];
+    return V(0.0) * sum;
   }
   laws::HistoryPack<V> point(int q) const {
     V const* const r = row + 5 * q;
@@ -117,10 +124,12 @@ template <class V> struct BatchPack {
 
   /// Tractions, their forces on both sides, and what the step has dissipated.
   void act() const {
-    V const zero(0.0), one(1.0), weight = row(batch.weight), broken = row(batch.broken);
+    V const zero(0.0), one(1.0), broken = row(batch.broken);
     auto const f = frame();
     auto const p = law();
     HistoryRows<V> history(pass.history, batch.history.data() + lane0);
+    // An account that is not finite makes the forces so: nobody has to go round and look (sim/guards.hpp).
+    V const weight = row(batch.weight) + history.zero_if_finite();
     V const kept = one - history.row[history.handed_over];
     Vec<V> traction[3];
     laws::DissipationPack<V> lost{zero, zero, zero};

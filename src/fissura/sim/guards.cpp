@@ -53,7 +53,7 @@ std::optional<Trouble> Guards::after_step(Model const& m, State const& s) const 
   // Whatever moves is in this sum, which the step has taken anyway.
   if (!core::is_finite(s.ledger.kinetic_before)) return not_finite(m, s);
   if (s.step % interval != 0) return std::nullopt;
-  if (!memory_is_finite(m, s)) return not_finite(m, s);
+  if (!idle_memory_is_finite(m, s)) return not_finite(m, s);
   return find_runaway(m, s);
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 // Finds out within ten steps that a run has gone wrong, and where. What moves betrays itself: a number that
 // is not finite reaches the kinetic energy of the whole model in the same step, which costs one comparison.
-// What only remembers (histories, accounts) is looked at directly, every tenth step. See
-// docs/reference/guards.md.
+// So does an account of a damaged joint, which spoils the joint's forces (concrete/batch_kernel.hpp). What
+// else only remembers (bars, contact, loads) is looked at directly, every tenth step. See
+// docs/reference/promises.md.
 #include <optional>
 
 #include "fissura/model/model.hpp"

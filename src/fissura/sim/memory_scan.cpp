@@ -37,38 +37,44 @@ bool finite(state::JointHistory const& h) {
                 h.time_of_failure);
 }
 
-/// Damaged joints among the next ones, at most `size` of them.
-struct Damaged {
+/// Bits of a status byte, any of which makes a joint worth a look.
+enum class Look : std::uint8_t { at_all_damaged = 7, at_released = 4 };
+static_assert(static_cast<int>(state::JointStatus::released) == 4);
+
+/// Joints to look at among the next ones, at most `size` of them.
+struct Listed {
   static constexpr std::size_t size = 8 * model::block;
   std::array<std::size_t, size> joint;
   std::size_t count = 0;
 
   /// Those of [begin, end), a range of whole blocks (the status is padded). Without a branch per joint, which
   /// no processor could guess; their histories lie far apart, so each is sent for at once.
-  Damaged(State const& s, std::size_t begin, std::size_t end) {
+  Listed(State const& s, Look look, std::size_t begin, std::size_t end) {
+    auto const bits = static_cast<std::uint8_t>(look);
+    std::uint64_t const in_each = bits * 0x0101010101010101U;
     for (std::size_t j = begin; j < end; j += model::block) {
       std::uint64_t eight = 0;
       std::memcpy(&eight, s.joint_status.data() + j, sizeof eight);
-      if (eight == 0) continue;
+      if ((eight & in_each) == 0) continue;
       for (std::size_t i = j; i < j + model::block; ++i) {
         joint[count] = i;
-        count += s.joint_status[i] != 0;
+        count += (s.joint_status[i] & bits) != 0;
       }
     }
     for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(&s.joint_history[joint[i]].dissipated);
   }
 };
 
-bool joints_are_finite(Model const& m, State const& s) {
+bool joints_are_finite(Model const& m, State const& s, Look look) {
   std::size_t const padded = m.joints.blocks() * model::block;
   int const bad =
       parallel::sum_chunks<int>(padded, joints_per_chunk, [&](std::size_t begin, std::size_t end) {
         bool found = false;
-        Damaged here(s, begin, std::min(begin + Damaged::size, end));
+        Listed here(s, look, begin, std::min(begin + Listed::size, end));
         for (std::size_t j = begin; j < end;
-             j += Damaged::size) { // one group is checked while the next is on its way
-          std::size_t const next = std::min(j + Damaged::size, end);
-          Damaged const ahead(s, next, std::min(next + Damaged::size, end));
+             j += Listed::size) { // one group is checked while the next is on its way
+          std::size_t const next = std::min(j + Listed::size, end);
+          Listed const ahead(s, look, next, std::min(next + Listed::size, end));
           for (std::size_t i = 0; i < here.count; ++i) found |= !finite(s.joint_history[here.joint[i]]);
           here = ahead;
         }
@@ -202,8 +208,12 @@ std::optional<Spot> find_in_ledger(State const& s) {
 } // namespace
 
 bool memory_is_finite(Model const& m, State const& s) {
-  return joints_are_finite(m, s) && bars_are_finite(s) && !find_in_contact(m, s) && !find_in_loads(m, s) &&
-         !find_in_ledger(s);
+  return idle_memory_is_finite(m, s) && joints_are_finite(m, s, Look::at_all_damaged);
+}
+
+bool idle_memory_is_finite(Model const& m, State const& s) {
+  return joints_are_finite(m, s, Look::at_released) && bars_are_finite(s) && !find_in_contact(m, s) &&
+         !find_in_loads(m, s) && !find_in_ledger(s);
 }
 
 std::optional<Spot> find_non_finite_memory(Model const& m, State const& s) {
