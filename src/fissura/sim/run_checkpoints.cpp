@@ -22,8 +22,7 @@ void Run::Impl::open_folder() {
     open_old_folder();
   log_to_file(*log_, out + "/log.txt", restored_.empty());
   output::replace_file(out + "/case.toml", options_.deck_echo);
-  fields_ = std::make_unique<FieldWriter>(out);
-  if (!restored_.empty()) fields_->start_with(m_, marks_.frames);
+  if (!fields_) fields_ = std::make_unique<FieldWriter>(out);
   requests_.watch(out);
 }
 
@@ -34,6 +33,9 @@ void Run::Impl::open_old_folder() {
   if (!here) make_folder(options_.out, options_.force), copy_start(old, options_.out, marks_);
   store_ = std::make_unique<checkpoint::Store>(options_.out);
   here ? store_->cut_back_to(restored_) : store_->adopt(restored_);
+  // The lists before the frames: wherever it is killed, no list names a frame that is gone.
+  fields_ = std::make_unique<FieldWriter>(options_.out);
+  fields_->start_with(m_, marks_.frames);
   if (here) cut_back(options_.out, marks_);
 }
 

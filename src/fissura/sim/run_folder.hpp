@@ -24,7 +24,7 @@ void make_folder(std::string const& folder, bool force);
 bool is_same_folder(std::string const& a, std::string const& b);
 
 /// Cuts log and frames of a folder back to the marks and removes run.json and what was left half written;
-/// history.csv and the lists of frames are cut by their writers.
+/// history.csv and the lists of frames are cut by their writers, the lists before this.
 void cut_back(std::string const& folder, FileMarks const& marks);
 
 /// Copies what a run goes on with to a new folder: history and log up to the marks, and the frames.
