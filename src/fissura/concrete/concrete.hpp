@@ -1,5 +1,8 @@
 #pragma once
 // The concrete's terms of Eq. (2): joints (F_conc,JE), tets (F_conc,FE), and the energy they hold.
+#include <functional>
+#include <span>
+
 #include "fissura/model/model.hpp"
 #include "fissura/state/state.hpp"
 
@@ -12,10 +15,11 @@ void separate_sides(model::Model const& m, state::JointSlots& slots, int joint);
 /// A released joint acts on nobody.
 void remove_from_slots(model::Model const& m, state::JointSlots& slots, int joint);
 
-/// Internal forces on the nodes [N] at u and v, with the joint forces and the overlay that `w` holds; nothing
-/// moves. `force` is laid out as State::u.
-void corner_forces(model::Model const& m, state::State& s, state::Scratch const& w,
-                   core::Buffer<double>& force);
+/// Gets the forces [N] on the nodes from `first` on, laid out as State::u.
+using TakeForces = std::function<void(std::size_t first, std::span<double const> forces)>;
+/// Internal forces on the nodes at u and v, with the joint forces and the overlay that `w` holds; nothing
+/// moves. They are handed on piece by piece, by several threads at once, so that nobody needs room for all.
+void corner_forces(model::Model const& m, state::State& s, state::Scratch const& w, TakeForces const& take);
 
 /// Gives all three points of a joint the damage kappa, as if it had been pulled open and let go; 1 breaks it.
 void set_damage(model::Model const& m, state::State& s, int joint, double kappa);

@@ -15,10 +15,11 @@ using state::TetSums;
 namespace {
 
 constexpr std::size_t blocks_per_chunk = 32; // 256 tets or joints: the unit of work and of summation
+constexpr std::size_t doubles_per_block = 16 * model::block; // of a nodal field
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
-TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::size_t begin,
-                           std::size_t end) {
+TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, double const* corner_force,
+                           std::size_t begin, std::size_t end) {
   TetSums sums;
   double const dt = pass.dt, keep = 1 - 0.5 * pass.mass_damping * dt,
                scale = 1 / (1 + 0.5 * pass.mass_damping * dt);
@@ -34,7 +35,7 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, std::s
     double const ratio = weighing * inverse;
     for (int r = 0; r < 3; ++r) {
       double f = 0;
-      for (int i = from; i < to; ++i) f += pass.corner_force[4 * m.bonding.node[i] + r];
+      for (int i = from; i < to; ++i) f += corner_force[4 * m.bonding.node[i] + r];
       double const old = s.v[4 * first + r];
       double a = inverse * f + ratio * pass.gravity[r];
       double const damped = pass.local_damping * std::abs(a);
@@ -73,23 +74,28 @@ void joint_forces(Model const& m, State& s, Scratch& w) {
                        });
 }
 
-void corner_forces(Model const& m, State& s, Scratch const& w, core::Buffer<double>& force) {
-  TetPass const pass{&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(), 0, 0, 0, {}, {}};
+void corner_forces(Model const& m, State& s, Scratch const& w, TakeForces const& take) {
   auto const run = kernels().tet_forces;
-  parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
-                       [&](std::size_t, std::size_t begin, std::size_t end) { run(pass, begin, end); });
+  parallel::for_chunks(
+      m.tets.blocks(), blocks_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        alignas(64) std::array<double, blocks_per_chunk * doubles_per_block> force;
+        run({&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(), 0, 0, 0, {}, {}}, begin,
+            end);
+        take(4 * model::block * begin, {force.data(), (end - begin) * doubles_per_block});
+      });
 }
 
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {
   auto const& stage = m.stages[s.stage];
-  TetPass const pass{&m.tets,   s.u.data(),         s.v.data(),
-                     &w.joints, &w.overlay,         m.bonding.any ? w.corner_force.data() : nullptr,
-                     m.dt,      stage.mass_damping, stage.local_damping,
-                     gravity,   gravity_mean};
+  TetPass const pass{&m.tets, s.u.data(),         s.v.data(),          &w.joints, &w.overlay,  nullptr,
+                     m.dt,    stage.mass_damping, stage.local_damping, gravity,   gravity_mean};
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                         w.tet_sums[chunk] = run(pass, begin, end);
+                         TetPass here = pass;
+                         if (m.bonding.any)
+                           here.corner_force = w.corner_force.data() + doubles_per_block * begin;
+                         w.tet_sums[chunk] = run(here, begin, end);
                        });
   TetSums total;
   std::size_t const chunks = parallel::chunks(m.tets.blocks(), blocks_per_chunk);
@@ -98,7 +104,7 @@ TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 grav
 
   std::size_t const clusters = m.bonding.start.size() - 1, grain = 8 * blocks_per_chunk;
   parallel::for_chunks(clusters, grain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    w.tet_sums[chunk] = integrate_clusters(m, s, pass, begin, end);
+    w.tet_sums[chunk] = integrate_clusters(m, s, pass, w.corner_force.data(), begin, end);
   });
   for (std::size_t c = 0; c < parallel::chunks(clusters, grain); ++c) add(total, w.tet_sums[c]);
   return total;

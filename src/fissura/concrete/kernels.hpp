@@ -31,7 +31,7 @@ struct TetPass {
   double* v;
   state::JointSlots const* joints;
   state::Overlay const* overlay;
-  double* corner_force; ///< bonded meshes: write corner forces here and do not integrate; else nullptr
+  double* corner_force; ///< write the corner forces of the range here and do not integrate; else nullptr
   double dt;
   double mass_damping;  ///< c [1/s]
   double local_damping; ///< alpha [-]

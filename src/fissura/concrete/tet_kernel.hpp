@@ -138,8 +138,10 @@ template <class V> struct TetPack {
       value[i] = value[i] + add;
   }
 
-  void store_corner_forces() {
-    for (int a = 0; a < 4; ++a) core::store_nodes<V>(pass.corner_force + 4 * (first_node() + a), 16, f[a]);
+  /// Into room that begins with the forces of block `begin`.
+  void store_corner_forces(std::size_t begin) {
+    double* const here = pass.corner_force + 4 * (first_node() - 4 * model::block * begin);
+    for (int a = 0; a < 4; ++a) core::store_nodes<V>(here + 4 * a, 16, f[a]);
   }
 
   /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local
@@ -204,7 +206,7 @@ template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t be
       p.gather_joint_forces();
       p.add_overlay();
       if (pass.corner_force)
-        p.store_corner_forces();
+        p.store_corner_forces(begin);
       else
         p.integrate(sums);
     }

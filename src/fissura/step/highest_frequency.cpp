@@ -1,7 +1,9 @@
 #include "fissura/step/highest_frequency.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,11 +33,7 @@ class Tangent {
   Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
     if (bars_activated) rebar::activate_all(m, s_.bars);
     if (!m.initial_velocity.empty()) std::fill(s_.v.begin(), s_.v.end(), 0.0);
-    if (m.tets.any_viscosity) own_force_ = core::Buffer<double>(s_.u.size());
-    forces();
-    auto const& force = this->force();
-    if (std::any_of(force.begin(), force.end(), [](double f) { return f != 0; }))
-      at_rest_.assign(force.begin(), force.end()); // prestress
+    keep_forces_at_rest();
     weigh_unknowns();
   }
 
@@ -86,42 +84,51 @@ class Tangent {
   /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size - share out.
   void apply(std::span<float const> in, double share, std::span<float> out, core::Buffer<double>& field,
              double length) {
-    auto each_node = [&](auto const& body) {
-      parallel::for_chunks(per_unknown_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t n = begin; n < end; ++n)
-          for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) body(i, per_unknown_[n]);
-      });
-    };
     double largest = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
       largest = std::max<double>(largest, per_unknown_[i / 4] * std::abs(in[i]));
     double const size = length / largest, inverse = 1 / size;
-    each_node([&](std::size_t i, double factor) { field[i] = size * factor * in[i]; });
-    forces();
-    auto const& force = this->force();
-    each_node([&](std::size_t i, double factor) {
-      out[i] = static_cast<float>(-factor * inverse * (force[i] - rest(i)) - share * out[i]);
+    parallel::for_chunks(per_unknown_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+        for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) field[i] = size * per_unknown_[n] * in[i];
+    });
+    forces([&](std::size_t first, std::span<double const> force) {
+      for (std::size_t n = 0; 4 * n < force.size(); ++n)
+        for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) {
+          double const change = force[i] - (at_rest_.empty() ? 0 : at_rest_[4 * first + i]);
+          float& to = out[4 * first + i];
+          to = static_cast<float>(-per_unknown_[first + n] * inverse * change - share * to);
+        }
     });
     std::fill(field.begin(), field.end(), 0.0);
     constrain(out);
   }
 
-  double rest(std::size_t i) const { return at_rest_.empty() ? 0 : at_rest_[i]; }
-  /// Without viscosity nobody reads velocities: their place takes the forces.
-  core::Buffer<double>& force() { return m_.tets.any_viscosity ? own_force_ : s_.v; }
-  void forces() {
+  /// Of bars under prestress.
+  void keep_forces_at_rest() {
+    std::atomic<bool> any = false;
+    forces([&](std::size_t, std::span<double const> force) {
+      if (std::any_of(force.begin(), force.end(), [](double f) { return f != 0; })) any = true;
+    });
+    if (!any) return;
+    at_rest_.resize(s_.u.size());
+    forces([&](std::size_t first, std::span<double const> force) {
+      std::copy(force.begin(), force.end(), at_rest_.begin() + static_cast<std::ptrdiff_t>(4 * first));
+    });
+  }
+
+  void forces(concrete::TakeForces const& take) {
     concrete::joint_forces(m_, s_, w_);
     rebar::bar_joint_forces(m_, s_, w_);
     rebar::bar_forces(m_, s_, w_);
     w_.overlay.clear();
     rebar::gather_bar_forces(m_, w_);
-    concrete::corner_forces(m_, s_, w_, force());
+    concrete::corner_forces(m_, s_, w_, take);
   }
 
   Model const& m_;
   State s_;
   state::Scratch w_;
-  core::Buffer<double> own_force_;
   std::vector<double> at_rest_;    ///< empty where there are no forces at rest
   std::vector<float> per_unknown_; ///< per node
 };
