@@ -72,7 +72,7 @@ double strain_energy(Model const& m, State const& s) {
         for (std::size_t t = begin; t < end; ++t) {
           Mat3 const H = displacement_gradient(m, s, static_cast<int>(t));
           double const G = m.tets.shear_modulus(t), lambda = m.tets.lame(t);
-          bool const paper = m.tets.is_paper[t / model::block];
+          bool const paper = m.tets.is_paper[t];
           sum +=
               m.tets.volume[t] * (paper ? paper_density(G, lambda, H) : hyperelastic_density(G, lambda, H));
         }
@@ -111,7 +111,7 @@ std::array<double, 6> tet_stress(Model const& m, State const& s, int tet) {
   Mat3 const H = displacement_gradient(m, s, tet), F = H + Mat3::identity();
   Mat3 const E2 = H + transpose(H) + H * transpose(H); // B - I
   Mat3 T;
-  if (m.tets.is_paper[t / model::block]) {
+  if (m.tets.is_paper[t]) {
     T = G * E2 + (0.5 * lambda * trace(E2)) * Mat3::identity();
   } else {
     double const J = determinant(F);

@@ -22,6 +22,26 @@ template <class V> inline Vec<V> times(Mat<V> const& m, Vec<V> v) {
   return {core::dot(m.x, v), core::dot(m.y, v), core::dot(m.z, v)};
 }
 
+/// First Piola-Kirchhoff stress of the hyperelastic law: G F + s cof F, with C = cof F and J = det F.
+template <class V> inline Mat<V> hyperelastic_stress(Mat<V> const& F, Mat<V> const& C, V J, V G, V lambda) {
+  V const one(1.0), half(0.5), s = (half * lambda * (J * J - one) - G) / J;
+  return {G * F.x + s * C.x, G * F.y + s * C.y, G * F.z + s * C.z};
+}
+
+/// The same of the law `paper`: T cof F with the stress T of Eq. 6.
+template <class V> inline Mat<V> paper_stress(Mat<V> const& F, Mat<V> const& C, V G, V lambda) {
+  V const one(1.0), half(0.5);
+  V const exx = half * (core::dot(F.x, F.x) - one), eyy = half * (core::dot(F.y, F.y) - one);
+  V const ezz = half * (core::dot(F.z, F.z) - one), mean = lambda * (exx + eyy + ezz), G2 = G + G;
+  V const txy = G * core::dot(F.x, F.y), txz = G * core::dot(F.x, F.z), tyz = G * core::dot(F.y, F.z);
+  V const txx = G2 * exx + mean, tyy = G2 * eyy + mean, tzz = G2 * ezz + mean;
+  return {txx * C.x + txy * C.y + txz * C.z, txy * C.x + tyy * C.y + tyz * C.z,
+          txz * C.x + tyz * C.y + tzz * C.z};
+}
+
+/// Which laws the tets of a pack follow.
+enum class PackLaw { hyperelastic, paper, mixed };
+
 /// One pack of tets on its way through the step.
 template <class V> struct TetPack {
   TetPass const& pass;
@@ -46,11 +66,10 @@ template <class V> struct TetPack {
     }
   }
 
-  /// Internal forces: f_a = -V P grad N_a with P = G F + s cof F (hyperelastic) or T cof F (law `paper`).
-  /// Returns the power dissipated by the viscous stress [W].
-  template <bool paper> V internal_forces() {
+  /// Internal forces f_a = -V P grad N_a. Returns the power dissipated by the viscous stress [W].
+  template <PackLaw law> V internal_forces() {
     model::TetBlocks const& t = *pass.tets;
-    V const one(1.0), half(0.5);
+    V const one(1.0);
     double const* const gp = constant(t.gradient, 9);
     auto row = [&](int i) { return load<V>(gp + i * model::block); };
     Vec<V> const g[3] = {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
@@ -66,17 +85,9 @@ template <class V> struct TetPack {
     V const J = core::dot(F.x, C.x);
 
     Mat<V> P;
-    if constexpr (paper) {
-      V const exx = half * (core::dot(F.x, F.x) - one), eyy = half * (core::dot(F.y, F.y) - one);
-      V const ezz = half * (core::dot(F.z, F.z) - one), mean = lambda * (exx + eyy + ezz), G2 = G + G;
-      V const txy = G * core::dot(F.x, F.y), txz = G * core::dot(F.x, F.z), tyz = G * core::dot(F.y, F.z);
-      V const txx = G2 * exx + mean, tyy = G2 * eyy + mean, tzz = G2 * ezz + mean;
-      P = {txx * C.x + txy * C.y + txz * C.z, txy * C.x + tyy * C.y + tyz * C.z,
-           txz * C.x + tyz * C.y + tzz * C.z};
-    } else {
-      V const s = (half * lambda * (J * J - one) - G) / J;
-      P = {G * F.x + s * C.x, G * F.y + s * C.y, G * F.z + s * C.z};
-    }
+    if constexpr (law != PackLaw::paper) P = hyperelastic_stress(F, C, J, G, lambda);
+    if constexpr (law == PackLaw::paper) P = paper_stress(F, C, G, lambda);
+    if constexpr (law == PackLaw::mixed) P = where_paper(paper_stress(F, C, G, lambda), P);
     V power(0.0);
     if (t.any_viscosity) power = add_viscous(P, C, J, g, volume);
 
@@ -84,6 +95,38 @@ template <class V> struct TetPack {
     for (int a = 0; a < 3; ++a) f[a + 1] = times(P, minus * g[a]);
     f[0] = V(-1.0) * (f[1] + f[2] + f[3]);
     return power;
+  }
+
+  std::uint8_t const* paper_marks() const {
+    return pass.tets->is_paper.data() + block * model::block + lane0;
+  }
+  PackLaw law() const {
+    std::uint8_t const* const is_paper = paper_marks();
+    int paper = 0;
+    for (int i = 0; i < core::lanes<V>; ++i) paper += is_paper[i];
+    return paper == 0 ? PackLaw::hyperelastic : paper == core::lanes<V> ? PackLaw::paper : PackLaw::mixed;
+  }
+  /// Each tet takes the stress of its own law.
+  Mat<V> where_paper(Mat<V> const& paper, Mat<V> const& other) const {
+    std::uint8_t const* const is_paper = paper_marks();
+    double one_if[core::lanes<V>];
+    for (int i = 0; i < core::lanes<V>; ++i) one_if[i] = is_paper[i];
+    auto const here = load<V>(one_if) > V(0.0);
+    auto pick = [&](Vec<V> const& a, Vec<V> const& b) {
+      return Vec<V>{core::choose(here, a.x, b.x), core::choose(here, a.y, b.y), core::choose(here, a.z, b.z)};
+    };
+    return {pick(paper.x, other.x), pick(paper.y, other.y), pick(paper.z, other.z)};
+  }
+
+  V forces_of_own_law() {
+    switch (law()) {
+    case PackLaw::hyperelastic:
+      return internal_forces<PackLaw::hyperelastic>();
+    case PackLaw::paper:
+      return internal_forces<PackLaw::paper>();
+    default:
+      return internal_forces<PackLaw::mixed>();
+    }
   }
 
   /// mu_bar D of Eq. 8 with L = Fdot F^-1, evaluated at the last half step. Returns its power V J mu D : D.
@@ -201,8 +244,7 @@ template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t be
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
       TetPack<V> p(pass, b, lane);
       p.load_state();
-      viscous +=
-          pass.tets->is_paper[b] ? p.template internal_forces<true>() : p.template internal_forces<false>();
+      viscous += p.forces_of_own_law();
       p.gather_joint_forces();
       p.add_overlay();
       if (pass.corner_force)

@@ -35,8 +35,7 @@ struct TetBlocks {
   core::Buffer<double> inverse_mass; ///< [block][4][8] of the node (of its cluster where bonded) [1/kg]
   core::Buffer<double> weight_ratio; ///< [block][8] real mass / scaled mass: what gravity acts on
   SharedRows<3, block> moduli;       ///< G [Pa], lambda [Pa], mu_bar [Pa s]
-  std::vector<std::uint8_t>
-      is_paper; ///< per block: some tet uses the law `paper` (all of a block use one law)
+  std::vector<std::uint8_t> is_paper; ///< [block][8] 1 for tets of the law `paper`, else 0
   bool any_viscosity = false;
   bool any_scaled = false; ///< some weight_ratio is not 1
 

@@ -24,7 +24,7 @@ void make_tet_data(Model& m) {
   t.volume = core::Buffer<double>(n);
   t.inverse_mass = core::Buffer<double>(4 * n);
   t.weight_ratio = core::Buffer<double>(n);
-  t.is_paper.assign(t.blocks(), 0);
+  t.is_paper.assign(n, 0);
   m.position = core::Buffer<double>(16 * n);
   m.mass = core::Buffer<double>(4 * n);
   m.steel_mass = core::Buffer<double>(4 * n);
@@ -41,7 +41,7 @@ void make_tet_data(Model& m) {
     t.any_viscosity |= c.mu_bar > 0;
     t.weight_ratio[i] = 1 / c.density_factor;
     t.any_scaled |= c.density_factor != 1;
-    t.is_paper[i / block] |= c.tet_law == TetLaw::paper;
+    t.is_paper[i] = c.tet_law == TetLaw::paper;
     double const mass = c.density * t.volume[i];
     m.total_mass += mass;
     m.added_mass += mass * (c.density_factor - 1);
