@@ -39,8 +39,8 @@ std::uint64_t joint_hash(Model const& m, State const& s, int j) {
   double kappa[4] = {static_cast<double>(s.joint_status[j])};
   for (int q = 0; q < 3; ++q) kappa[q + 1] = s.joint_history[j].point[q].kappa;
   std::sort(kappa + 1, kappa + 4);
-  auto const [low, high] = std::minmax(input(m, f.a.tet), input(m, f.b.tet));
-  return core::hash_bytes(kappa, sizeof kappa, low << 32 | high);
+  std::uint64_t const a = input(m, f.a.tet), b = input(m, f.b.tet);
+  return core::hash_bytes(kappa, sizeof kappa, std::min(a, b) << 32 | std::max(a, b));
 }
 
 /// Sum of hash(i) over 0 .. count - 1.
