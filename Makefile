@@ -92,10 +92,11 @@ properties: setup-tests
 	FISSURA_STEPS=1000000 $(BUILD)/tests/verification_step --gtest_filter='Long*'
 
 # All cases, an hour or more; also draws all figures and writes the verification page.
-validate: build properties
+validate: build python properties
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --long
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/validation.csv --jobs $(JOBS) --long \
 	  --page docs/verification/index.md
+	PYTHONPATH=$(BUILD)/python $(PYTHON) tools/validate_python.py --program $(PROGRAM) --runs $(BUILD)/verify
 
 # The paper's figures: those of the short runs, and of long ones that are there already.
 figures: build
