@@ -32,7 +32,7 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
   $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 endef
 
-.PHONY: help setup setup-program setup-page setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test \
+.PHONY: help setup setup-program setup-demo setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test \
   verify properties validate figures pictures bench docs python fuzz format install clean
 
 help:
@@ -48,8 +48,8 @@ help:
 setup: setup-tests
 setup-program:
 	$(call install_packages,$(PROGRAM_PACKAGES))
-setup-page:
-	$(call install_packages,$(PAGE_PACKAGES))
+setup-demo:
+	$(call install_packages,$(PROGRAM_PACKAGES) $(PAGE_PACKAGES))
 setup-tests:
 	$(call install_packages,$(TEST_PACKAGES))
 setup-docs:
@@ -69,7 +69,7 @@ build-all: setup-tests
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON -DFISSURA_PYTHON=ON
 	cmake --build $(BUILD) -j $(JOBS)
 
-demo: setup-page build
+demo: setup-demo build
 	$(PROGRAM) run examples/00_demo_beam/case.toml --out runs/demo --force
 	$(PROGRAM) plot runs/demo --x deflection --y load --peak -o runs/demo/load_deflection.png
 	$(PROGRAM) picture runs/demo -o runs/demo/crack.png

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <variant>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/core/error.hpp"

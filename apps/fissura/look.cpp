@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/report/compare.hpp"

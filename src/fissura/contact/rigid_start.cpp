@@ -1,6 +1,6 @@
 // What can be wrong with rigid bodies before anything moves.
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/contact/rigid.hpp"
 #include "fissura/contact/rigid_face.hpp"

@@ -1,7 +1,7 @@
 // Bodies that stand in each other at the start: a mistake in the mesh that no spring should have to push
 // apart.
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/contact/broad_phase.hpp"
 #include "fissura/contact/contact.hpp"

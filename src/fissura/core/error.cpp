@@ -1,6 +1,6 @@
 #include "fissura/core/error.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fissura::core {
 

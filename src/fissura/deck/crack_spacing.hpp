@@ -1,6 +1,6 @@
 #pragma once
 // `l_cr`: "automatic", "element_size" or a length; a key of [[bar]] and of [[cage]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 #include "fissura/units/decimal.hpp"

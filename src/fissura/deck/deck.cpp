@@ -1,6 +1,6 @@
 #include "fissura/deck/deck.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 // Ties keys to the fields of a record: Fields<SteelSpec>(keys).quantity("f_y", &SteelSpec::f_y,
 // ...).required().
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <type_traits>

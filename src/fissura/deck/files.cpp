@@ -1,7 +1,7 @@
 #include "fissura/deck/files.hpp"
 
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fissura::deck {
 namespace {

@@ -1,6 +1,6 @@
 #include "fissura/deck/nearest.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "fissura/deck/node.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fissura::deck {
 

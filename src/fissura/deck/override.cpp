@@ -1,5 +1,5 @@
 // `--set key.path=value`: changes the tree before it is read, so an override passes every check of the deck.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <optional>

@@ -14,7 +14,7 @@ namespace fissura::deck {
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <tuple>

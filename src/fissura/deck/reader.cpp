@@ -1,6 +1,6 @@
 #include "fissura/deck/reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <tuple>

@@ -1,6 +1,6 @@
 #include "fissura/deck/scan.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 

@@ -1,6 +1,6 @@
 #include "fissura/deck/schema.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 #include "fissura/units/units.hpp"

@@ -1,5 +1,5 @@
 // [[bar]] and [bars].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numbers>

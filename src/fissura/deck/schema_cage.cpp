@@ -1,5 +1,5 @@
 // [[cage]]: "4 x 12 mm" and "8 mm / 150 mm" instead of points.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/cages.hpp"
 #include "fissura/deck/crack_spacing.hpp"

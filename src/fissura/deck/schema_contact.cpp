@@ -1,5 +1,5 @@
 // [contact] and [[contact_pair]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

@@ -1,5 +1,5 @@
 // [[gauge]] and [[stop]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // [[stage]], [[support]], [[motion]], [[force]], [[traction]] and [gravity].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

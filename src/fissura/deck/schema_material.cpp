@@ -1,5 +1,5 @@
 // [[concrete]], [[joint_region]] and [[steel]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // [mesh] and [[mesh.box]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 

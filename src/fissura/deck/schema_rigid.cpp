@@ -1,5 +1,5 @@
 // [[plane]], [[impactor]] and [[initial_velocity]].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // [run] and [output].
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

@@ -1,5 +1,5 @@
 // {value = "30 mm", over = "0.5 s"} and its kin: how something changes in time.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

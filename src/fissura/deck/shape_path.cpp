@@ -1,5 +1,5 @@
 // {speed = "0.1 m/s", turn = "5 ms", to = [...]}: a motion to and fro between readings of gauges.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

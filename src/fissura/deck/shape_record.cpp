@@ -1,5 +1,5 @@
 // {file = "record.txt", unit = "g"}: a motion by an acceleration record.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 #include "fissura/deck/files.hpp"

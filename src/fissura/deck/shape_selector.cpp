@@ -1,5 +1,5 @@
 // {plane = "x", at = "0 m"} and its kin: where something is.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/deck/fields.hpp"
 

@@ -1,6 +1,6 @@
 #include "fissura/deck/values.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/faces.hpp"

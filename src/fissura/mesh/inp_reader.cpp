@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/geometry/tet.hpp"

@@ -1,7 +1,7 @@
 #include "fissura/mesh/msh_builder.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <limits>
 #include <numeric>
 #include <type_traits>

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/overlap.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include "fissura/core/text.hpp"
 #include "fissura/model/make_blocks.hpp"
 
 namespace fissura::model {
@@ -32,7 +32,7 @@ std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh) {
       auto const found = std::find(mesh.volume_groups.begin(), mesh.volume_groups.end(), name);
       if (found == mesh.volume_groups.end()) {
         wrong.push_back({concrete.place, fmt::format("the mesh has no volume group `{}`; it has: {}", name,
-                                                     fmt::join(mesh.volume_groups, ", "))});
+                                                     core::joined(mesh.volume_groups, ", "))});
         continue;
       }
       int& owner = concrete_of_group[static_cast<std::size_t>(found - mesh.volume_groups.begin())];

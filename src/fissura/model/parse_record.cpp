@@ -1,7 +1,7 @@
 // The text of an acceleration record: rows of numbers with comments and headers around them.
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <optional>
 
 #include "fissura/model/record.hpp"

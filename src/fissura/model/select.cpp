@@ -6,8 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "fissura/core/text.hpp"
 #include "fissura/geometry/clip.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/faces.hpp"
@@ -110,7 +111,7 @@ template <class Groups> int find_name(Groups const& groups, std::string const& n
   bool const alike = nearest != names.end() && edit_distance(*nearest, s.group) <= 1 + s.group.size() / 3;
   throw core::InputError(s.place, fmt::format("the mesh has no group '{}'{}; its groups: {}", s.group,
                                               alike ? fmt::format(" (did you mean '{}'?)", *nearest) : "",
-                                              fmt::join(names, ", ")));
+                                              core::joined(names, ", ")));
 }
 
 Found find_group(Mesh const& m, Selector const& s) {

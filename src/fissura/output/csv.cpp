@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -93,7 +94,7 @@ void CsvWriter::row(double time, std::span<double const> values) {
   fmt::format_to(out, "{}", time);
   for (double const v : values) fmt::format_to(out, ",{}", v);
   line_.push_back('\n');
-  write_all(descriptor_, {line_.data(), line_.size()}, path_);
+  write_all(descriptor_, line_, path_);
   bytes_ += line_.size();
 }
 

@@ -2,7 +2,6 @@
 // The curves of a run as text (history.csv): one header line with units, one row per reading, nothing that
 // differs between two runs of the same case.
 #include <cstdint>
-#include <fmt/format.h>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,7 +42,7 @@ class CsvWriter {
   std::size_t columns_;
   std::uint64_t bytes_ = 0;
   int descriptor_ = -1;
-  fmt::memory_buffer line_; ///< kept between rows: no allocation after the first
+  std::string line_; ///< kept between rows: no allocation after the first
 };
 
 } // namespace fissura::output

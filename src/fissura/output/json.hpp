@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace fissura::output {
+#include "fissura/output/json_fwd.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace fissura::output {
 
 /// Replaces `path` by the text of `value`, whole or not at all. Bytes that are not UTF-8 (a file name, say)
 /// become the replacement character instead of an error at the end of a long run. Throws

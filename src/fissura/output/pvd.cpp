@@ -1,6 +1,6 @@
 #include "fissura/output/pvd.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pugixml.hpp>
 #include <sstream>
 

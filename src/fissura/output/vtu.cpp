@@ -1,7 +1,7 @@
 #include "fissura/output/vtu.hpp"
 
 #include <bit>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pugixml.hpp>
 #include <span>
 #include <sstream>

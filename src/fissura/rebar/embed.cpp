@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/geometry/tet.hpp"
 #include "fissura/geometry/triangle.hpp"

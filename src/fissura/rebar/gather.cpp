@@ -3,7 +3,7 @@
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/rebar/rebar.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fissura::rebar {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/rebar/activation.hpp"
 #include "fissura/rebar/rebar.hpp"

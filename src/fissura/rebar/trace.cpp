@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/geometry/clip.hpp"
 #include "fissura/geometry/tet.hpp"

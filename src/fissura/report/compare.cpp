@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/atomic_file.hpp"
@@ -155,7 +153,7 @@ void write_comparison(std::string const& path, Comparison const& c, RunFolder co
   Blob blob;
   blob.meta["kind"] = "comparison";
   blob.meta["version"] = options.version;
-  blob.meta["written"] = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)));
+  blob.meta["written"] = local_time();
   bool const alike = first.name() == second.name();
   blob.meta["names"] = {alike ? first.path() : first.name(), alike ? second.path() : second.name()};
   blob.meta["agree"] = c.agree;

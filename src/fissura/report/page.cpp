@@ -1,5 +1,8 @@
 #include "fissura/report/page.hpp"
 
+#include <array>
+#include <ctime>
+
 #include "fissura/core/error.hpp"
 
 namespace fissura::report {
@@ -21,7 +24,8 @@ void require_page() {
     throw core::Error(
         core::Failure::io,
         "this program was built without the report page: its parts (three.js, uPlot) come from npm. "
-        "Install nodejs and npm, and build again with `make build`");
+        "Install nodejs and npm, and build again with `make build` (needs a network once, and FISSURA_PAGE "
+        "on)");
 }
 
 std::string fill_page(std::string const& title, std::string const& numbers) {
@@ -31,6 +35,14 @@ std::string fill_page(std::string const& title, std::string const& numbers) {
   put(page, "@@NUMBERS@@", numbers);
   put(page, "@@TITLE@@", escape_html(title));
   return page;
+}
+
+std::string local_time() {
+  std::time_t const now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &parts)};
 }
 
 std::string escape_html(std::string_view text) {

@@ -15,6 +15,9 @@ void require_page();
 /// The page with this title and these numbers (Blob::text()).
 std::string fill_page(std::string const& title, std::string const& numbers);
 
+/// When a page is written: date, hour and minute here and now, "2026-05-31 14:05".
+std::string local_time();
+
 /// & < > " ' as HTML writes them.
 std::string escape_html(std::string_view text);
 

@@ -1,8 +1,7 @@
 #include "fissura/report/report.hpp"
 
-#include <chrono>
-#include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <algorithm>
+#include <fmt/core.h>
 
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/report/history_numbers.hpp"
@@ -41,7 +40,7 @@ Blob report_numbers(RunFolder const& run, ReportOptions const& options) {
   blob.meta["version"] = options.version;
   blob.meta["title"] = title_of(run, deck);
   blob.meta["folder"] = run.name();
-  blob.meta["written"] = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)));
+  blob.meta["written"] = local_time();
   blob.meta["run"] = run.summary;
   blob.meta["deck"] = deck;
   blob.meta["deck_text"] = run.deck;

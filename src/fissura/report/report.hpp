@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <string>
 
-#include "fissura/report/blob.hpp"
-#include "fissura/report/run_folder.hpp"
-
 namespace fissura::report {
+
+class Blob;
+class RunFolder;
 
 struct ReportOptions {
   std::string out;            ///< file to write; empty = report.html in the run folder

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/output/read_vtu.hpp"
 #include "fissura/report/bars.hpp"

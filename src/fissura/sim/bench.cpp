@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/concrete/kernels.hpp"

@@ -1,7 +1,7 @@
 #include "fissura/sim/change_load.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/loads/loads.hpp"

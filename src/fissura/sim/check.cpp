@@ -2,7 +2,7 @@
 
 #include <chrono>
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/loads/curve.hpp"
 #include "fissura/units/units.hpp"

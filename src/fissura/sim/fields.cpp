@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/core/error.hpp"

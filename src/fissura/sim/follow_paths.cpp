@@ -1,8 +1,9 @@
 #include "fissura/sim/follow_paths.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/loads/path.hpp"
+#include "fissura/sim/log.hpp"
 
 namespace fissura::sim {
 
@@ -19,7 +20,7 @@ std::string describe_target(model::Model const& m, model::MotionPath const& path
 } // namespace
 
 std::optional<std::string> follow_paths(model::Model const& m, state::State& s, Gauges const& gauges,
-                                        spdlog::logger& log) {
+                                        Log& log) {
   for (std::size_t i = 0; i < m.paths.size(); ++i) {
     auto const& path = m.paths[i];
     auto& at = s.paths[i];

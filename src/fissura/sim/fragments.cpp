@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "fissura/output/json.hpp"
+
 namespace fissura::sim {
 
 using model::Model;

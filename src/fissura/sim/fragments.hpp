@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fissura/model/model.hpp"
-#include "fissura/output/json.hpp"
+#include "fissura/output/json_fwd.hpp"
 #include "fissura/state/state.hpp"
 
 namespace fissura::sim {

@@ -1,7 +1,7 @@
 #include "fissura/sim/history.hpp"
 
 #include <charconv>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fstream>
 
 #include "fissura/core/error.hpp"

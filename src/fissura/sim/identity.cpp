@@ -1,7 +1,7 @@
 #include "fissura/sim/identity.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sstream>
 
 #include "fissura/concrete/kernels.hpp"

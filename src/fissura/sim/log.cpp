@@ -1,5 +1,6 @@
 #include "fissura/sim/log.hpp"
 
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <mutex>
@@ -49,8 +50,13 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
 
 } // namespace
 
-std::shared_ptr<spdlog::logger> make_log(bool quiet) {
-  auto log = std::make_shared<spdlog::logger>("fissura");
+struct Log::Sinks {
+  spdlog::logger logger{"fissura"};
+  std::shared_ptr<LogFile> file;
+};
+
+Log::Log(bool quiet) : sinks_(std::make_unique<Sinks>()) {
+  auto& log = sinks_->logger;
   if (!quiet) {
     auto const mode = standard_output().colour ? spdlog::color_mode::always : spdlog::color_mode::never;
     auto sink = std::make_shared<spdlog::sinks::stdout_color_sink_mt>(mode);
@@ -59,27 +65,36 @@ std::shared_ptr<spdlog::logger> make_log(bool quiet) {
     sink->set_color(spdlog::level::err, "\x1b[1;31m");
     sink->set_pattern("%^%v%$");
     sink->set_level(spdlog::level::info);
-    log->sinks().push_back(sink);
+    log.sinks().push_back(sink);
   }
-  log->set_level(spdlog::level::debug);
-  log->flush_on(spdlog::level::debug);
+  log.set_level(spdlog::level::debug);
+  log.flush_on(spdlog::level::debug);
   // The library would print what goes wrong to the terminal, once a second, and go on.
-  log->set_error_handler([](std::string const& why) { throw core::Error(core::Failure::io, why); });
-  return log;
+  log.set_error_handler([](std::string const& why) { throw core::Error(core::Failure::io, why); });
 }
 
-void log_to_file(spdlog::logger& log, std::string const& path, bool anew) {
-  auto sink = std::make_shared<LogFile>(path, anew);
-  sink->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
-  log.sinks().push_back(sink);
+Log::~Log() = default;
+
+void Log::open_file(std::string const& path, bool anew) {
+  sinks_->file = std::make_shared<LogFile>(path, anew);
+  sinks_->file->set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
+  sinks_->logger.sinks().push_back(sinks_->file);
 }
 
-void close_log_file(spdlog::logger& log) {
-  for (auto it = log.sinks().begin(); it != log.sinks().end(); ++it)
-    if (auto const file = std::dynamic_pointer_cast<LogFile>(*it)) {
-      log.sinks().erase(it);
-      return file->close();
-    }
+void Log::close_file() {
+  if (!sinks_->file) return;
+  std::erase(sinks_->logger.sinks(), sinks_->file);
+  std::exchange(sinks_->file, nullptr)->close();
+}
+
+void Log::write(Level level, std::string const& line) {
+  constexpr std::array levels{spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
+                              spdlog::level::err};
+  sinks_->logger.log(levels[static_cast<std::size_t>(level)], line);
+}
+
+void Log::flush() {
+  sinks_->logger.flush();
 }
 
 } // namespace fissura::sim

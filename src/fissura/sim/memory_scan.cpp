@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/finite.hpp"
 #include "fissura/parallel/parallel.hpp"

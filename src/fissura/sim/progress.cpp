@@ -1,7 +1,7 @@
 #include "fissura/sim/progress.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/report/text_plot.hpp"
 

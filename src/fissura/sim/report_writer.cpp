@@ -7,18 +7,19 @@
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/report/page.hpp"
 #include "fissura/report/report.hpp"
+#include "fissura/sim/log.hpp"
 
 namespace fissura::sim {
 
 ReportWriter::ReportWriter(std::string folder, std::string version, bool wanted)
     : folder_(std::move(folder)), version_(std::move(version)), wanted_(wanted && !folder_.empty()) {}
 
-bool ReportWriter::write(spdlog::logger& log) {
+bool ReportWriter::write(Log& log) {
   std::string page;
   try {
     page = report::report_page(folder_, {.out = {}, .version = version_});
   } catch (core::Error const& e) {
-    log.warn("no report page: {}", e.what());
+    log.warning("no report page: {}", e.what());
     wanted_ = false;
     return false;
   }
@@ -26,7 +27,7 @@ bool ReportWriter::write(spdlog::logger& log) {
   return true;
 }
 
-void ReportWriter::meanwhile(double elapsed, spdlog::logger& log) {
+void ReportWriter::meanwhile(double elapsed, Log& log) {
   if (!wanted_ || elapsed < next_ || report::page_template().empty()) return;
   using clock = std::chrono::steady_clock;
   auto const start = clock::now();
@@ -35,7 +36,7 @@ void ReportWriter::meanwhile(double elapsed, spdlog::logger& log) {
   next_ = elapsed + cost + std::max(60.0, 50 * cost);
 }
 
-void ReportWriter::at_end(spdlog::logger& log) {
+void ReportWriter::at_end(Log& log) {
   if (!wanted_) return;
   if (report::page_template().empty())
     log.info("no report page: this program was built without npm (see `fissura report`)");

@@ -2,9 +2,9 @@
 // The report page of a run: now and then while it goes on, and once it has ended.
 #include <string>
 
-#include <spdlog/logger.h>
-
 namespace fissura::sim {
+
+class Log;
 
 class ReportWriter {
  public:
@@ -13,12 +13,12 @@ class ReportWriter {
 
   /// Writes the page of what has been saved so far, if it is due at this wall time since the start [s]: first
   /// after 20 s, then so seldom that pages take at most a fiftieth of the time, and a minute apart or more.
-  void meanwhile(double elapsed, spdlog::logger& log);
+  void meanwhile(double elapsed, Log& log);
   /// Writes the page of the whole run. A page that cannot be written is a warning: the run is what counts.
-  void at_end(spdlog::logger& log);
+  void at_end(Log& log);
 
  private:
-  bool write(spdlog::logger& log);
+  bool write(Log& log);
   std::string folder_, version_;
   bool wanted_;
   double next_ = 20; ///< [s]

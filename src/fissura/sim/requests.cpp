@@ -1,7 +1,7 @@
 #include "fissura/sim/requests.hpp"
 
 #include <csignal>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 #include <utility>
 

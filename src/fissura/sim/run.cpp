@@ -1,10 +1,11 @@
 #include "fissura/sim/run.hpp"
 
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/checkpoint/store.hpp"
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/output/json.hpp"
 #include "fissura/sim/change_load.hpp"
 #include "fissura/sim/follow_paths.hpp"
 #include "fissura/sim/run_impl.hpp"
@@ -18,7 +19,7 @@ using model::Model;
 
 Run::Impl::Impl(model::Case const& c, RunOptions const& options)
     : options_(options), requests_(options.signal, options.walltime),
-      threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(make_log(options.quiet)),
+      threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(options.quiet),
       m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_, s_)), gauges_(m_),
       stops_(c, gauges_), monitor_(m_), guards_(m_), pace_(m_), stages_(m_),
       history_due_(c.output.history_every > 0 ? c.output.history_every
@@ -33,9 +34,9 @@ void Run::Impl::open() {
   if (!options_.out.empty()) open_folder();
   history_ = std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_, gauges_,
                                        marks_.history);
-  log_opening(*log_, m_, report_, options_.version);
-  if (!restored_.empty()) log_restart(*log_, s_, restored_, warnings_);
-  log_steps_ahead(*log_, m_, end(), threads_.count());
+  log_opening(log_, m_, report_, options_.version);
+  if (!restored_.empty()) log_restart(log_, s_, restored_, warnings_);
+  log_steps_ahead(log_, m_, end(), threads_.count());
 }
 
 bool Run::Impl::step() {
@@ -91,7 +92,7 @@ bool Run::Impl::advance() {
     }
   }
   if (steering)
-    if (auto const reached = follow_paths(m_, s_, gauges_, *log_)) {
+    if (auto const reached = follow_paths(m_, s_, gauges_, log_)) {
       result_.reason = *reached;
       return true;
     }
@@ -108,11 +109,11 @@ void Run::Impl::change_stage() {
                         monitor_.last_imbalance() < 0.05;
   if (!stages_.go_on(m_, s_, is_quiet)) return;
   gauges_.begin_stage(m_, s_);
-  log_->info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
+  log_.info("t = {:.5g} s: stage `{}` begins", s_.time, m_.stages[s_.stage].name);
 }
 
 void Run::Impl::show_progress() {
-  report_page_.meanwhile(progress_.elapsed(), *log_);
+  report_page_.meanwhile(progress_.elapsed(), log_);
   bool const terminal = terminal_.is_terminal && !options_.quiet;
   if (!progress_.due(terminal ? 1 : 10)) return;
   double const done = s_.load_time() / end();
@@ -123,7 +124,7 @@ void Run::Impl::show_progress() {
   if (terminal)
     fmt::print("\r\x1b[K{}", progress_bar_line(now, terminal_.width, terminal_.colour)), std::fflush(stdout);
   else
-    log_->info("{}", progress_line(now));
+    log_.info("{}", progress_line(now));
 }
 
 void Run::Impl::finish_once() {
@@ -142,12 +143,12 @@ void Run::Impl::finish() {
   if (fields_) fields_->write(m_, s_);
   history_->close();
   if (!options_.out.empty()) output::write_json(options_.out + "/run.json", summary());
-  log_end(*log_, s_, result_, progress_.elapsed());
+  log_end(log_, s_, result_, progress_.elapsed());
   if (auto const kept = last_good_checkpoint(); !kept.empty())
-    log_->info("the last good checkpoint is {}", kept);
-  log_verdict(*log_, m_, monitor_);
-  report_page_.at_end(*log_);
-  close_log_file(*log_);
+    log_.info("the last good checkpoint is {}", kept);
+  log_verdict(log_, m_, monitor_);
+  report_page_.at_end(log_);
+  log_.close_file();
 }
 
 /// After a failure; empty if there is none.

@@ -20,7 +20,7 @@ void Run::Impl::open_folder() {
     make_folder(out, options_.force), store_ = std::make_unique<checkpoint::Store>(out);
   else
     open_old_folder();
-  log_to_file(*log_, out + "/log.txt", restored_.empty());
+  log_.open_file(out + "/log.txt", restored_.empty());
   output::replace_file(out + "/case.toml", options_.deck_echo);
   if (!fields_) fields_ = std::make_unique<FieldWriter>(out);
   requests_.watch(out);
@@ -72,7 +72,7 @@ void Run::Impl::restore(std::string const& path) {
 /// takes the place of a good one.
 void Run::Impl::write_checkpoint() {
   if (auto trouble = guards_.look_everywhere(m_, s_)) throw RunFailure(std::move(*trouble));
-  log_->flush();
+  log_.flush();
   double const before = wall_before_;
   wall_before_ = wall_seconds();
   marks_ = {history_->flush(), size_of(options_.out + "/log.txt"), fields_->frames()};
@@ -81,7 +81,7 @@ void Run::Impl::write_checkpoint() {
   std::string const path = store_->write([&](checkpoint::Saver& save) { save(identity_), visit(save); });
   wall_before_ = before;
   kept_at_ = progress_.elapsed(), kept_step_ = s_.step;
-  log_->debug("t = {:.9g} s, step {}: checkpoint {}", s_.time, s_.step, path);
+  log_.debug("t = {:.9g} s, step {}: checkpoint {}", s_.time, s_.step, path);
 }
 
 /// What is done between two steps for the sake of the run itself.
@@ -89,7 +89,7 @@ void Run::Impl::keep() {
   auto const& o = m_.source.output;
   if (store_ && is_checkpoint_due()) write_checkpoint();
   if (o.hash_every > 0 && s_.step % o.hash_every == 0)
-    log_->debug("t = {:.9g} s, step {}: state {:016x}", s_.time, s_.step, state_hash(m_, s_));
+    log_.debug("t = {:.9g} s, step {}: state {:016x}", s_.time, s_.step, state_hash(m_, s_));
 }
 
 bool Run::Impl::is_checkpoint_due() {
@@ -97,7 +97,7 @@ bool Run::Impl::is_checkpoint_due() {
   if (requests_.for_output()) {
     fields_->write(m_, s_);
     if (frame_due_.at(s_.load_time())) frame_due_.done(s_.load_time());
-    log_->info("t = {:.5g} s: a frame and a checkpoint, as the file `output_now` asks", s_.time);
+    log_.info("t = {:.5g} s: a frame and a checkpoint, as the file `output_now` asks", s_.time);
     return true;
   }
   if (s_.step == kept_step_) return false;

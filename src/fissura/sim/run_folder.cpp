@@ -1,7 +1,7 @@
 #include "fissura/sim/run_folder.hpp"
 
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <set>
 
 #include "fissura/core/error.hpp"

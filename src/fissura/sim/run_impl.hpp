@@ -7,7 +7,7 @@
 
 #include "fissura/checkpoint/fields.hpp"
 #include "fissura/checkpoint/store.hpp"
-#include "fissura/output/json.hpp"
+#include "fissura/output/json_fwd.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/clock.hpp"
@@ -74,7 +74,7 @@ class Run::Impl {
   RunOptions options_;
   Requests requests_;
   parallel::Threads threads_;
-  std::shared_ptr<spdlog::logger> log_;
+  Log log_;
   BuildReport report_;
   model::Model m_;
   state::State s_;

@@ -1,9 +1,10 @@
 #include "fissura/sim/run_log.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/concrete/kernels.hpp"
+#include "fissura/sim/log.hpp"
 #include "fissura/sim/progress.hpp"
 
 namespace fissura::sim {
@@ -11,7 +12,7 @@ namespace fissura::sim {
 using model::Model;
 using state::State;
 
-void log_opening(spdlog::logger& log, Model const& m, BuildReport const& report, std::string const& version) {
+void log_opening(Log& log, Model const& m, BuildReport const& report, std::string const& version) {
   auto const& c = m.source;
   log.info("fissura {}: {}", version, c.title.empty() ? "untitled case" : c.title);
   log.info("mesh: {} tets, {} joints; mean size {:.4g} mm, smallest altitude {:.4g} mm", m.tet_count(),
@@ -21,27 +22,27 @@ void log_opening(spdlog::logger& log, Model const& m, BuildReport const& report,
              m.bars.joints.size(), report.embedding.length(), report.embedding.steel_mass());
   if (m.added_mass > 0) log.info("mass scaling adds {:.4g} kg to {:.4g} kg", m.added_mass, m.total_mass);
   for (auto const& note : report.notes) log.info("{}", note);
-  for (auto const& warning : report.warnings) log.warn("{}", warning);
+  for (auto const& warning : report.warnings) log.warning("{}", warning);
 }
 
-void log_restart(spdlog::logger& log, State const& s, std::string const& checkpoint,
+void log_restart(Log& log, State const& s, std::string const& checkpoint,
                  std::vector<std::string> const& warnings) {
   log.info("goes on from {} at t = {:.5g} s, step {}", checkpoint, s.time, s.step);
-  for (auto const& warning : warnings) log.warn("{}", warning);
+  for (auto const& warning : warnings) log.warning("{}", warning);
 }
 
-void log_steps_ahead(spdlog::logger& log, Model const& m, double end, int threads) {
+void log_steps_ahead(Log& log, Model const& m, double end, int threads) {
   log.info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}", m.dt,
            m.dt_limiter, std::ceil(end / m.dt), end, threads, concrete::kernels().name);
 }
 
-void log_end(spdlog::logger& log, State const& s, RunResult const& result, double wall) {
-  auto const level = result.status == "failed" ? spdlog::level::err : spdlog::level::info;
+void log_end(Log& log, State const& s, RunResult const& result, double wall) {
+  auto const level = result.status == "failed" ? Log::Level::error : Log::Level::info;
   log.log(level, "{}: {} (t = {:.5g} s, {} steps, {})", result.status, result.reason, s.time, s.step,
           readable_duration(wall));
 }
 
-void log_verdict(spdlog::logger& log, Model const& m, Monitor const& monitor) {
+void log_verdict(Log& log, Model const& m, Monitor const& monitor) {
   double const quiet = monitor.quiet_share(), imbalance = monitor.imbalance();
   log.info("energy residual {:+.3g} % of the energy put in", 100 * monitor.residual());
   log.info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
@@ -51,9 +52,9 @@ void log_verdict(spdlog::logger& log, Model const& m, Monitor const& monitor) {
                ? "quasi-static"
                : "inertia matters (expected in dynamic cases; else load more slowly)");
   if (monitor.crossed_warning())
-    log.warn("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
-             "trusting the run",
-             100 * m.source.run.residual_warn);
+    log.warning("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
+                "trusting the run",
+                100 * m.source.run.residual_warn);
 }
 
 } // namespace fissura::sim

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <spdlog/logger.h>
-
 #include "fissura/model/model.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/monitor.hpp"
@@ -13,17 +11,18 @@
 
 namespace fissura::sim {
 
+class Log;
+
 /// Mesh, bars, notes and warnings of the model.
-void log_opening(spdlog::logger& log, model::Model const& m, BuildReport const& report,
-                 std::string const& version);
+void log_opening(Log& log, model::Model const& m, BuildReport const& report, std::string const& version);
 /// The checkpoint a run goes on from, and what is different now.
-void log_restart(spdlog::logger& log, state::State const& s, std::string const& checkpoint,
+void log_restart(Log& log, state::State const& s, std::string const& checkpoint,
                  std::vector<std::string> const& warnings);
 /// What lies ahead until `end` [s].
-void log_steps_ahead(spdlog::logger& log, model::Model const& m, double end, int threads);
+void log_steps_ahead(Log& log, model::Model const& m, double end, int threads);
 
 /// How it ended after `wall` seconds, and how far it can be trusted.
-void log_end(spdlog::logger& log, state::State const& s, RunResult const& result, double wall);
-void log_verdict(spdlog::logger& log, model::Model const& m, Monitor const& monitor);
+void log_end(Log& log, state::State const& s, RunResult const& result, double wall);
+void log_verdict(Log& log, model::Model const& m, Monitor const& monitor);
 
 } // namespace fissura::sim

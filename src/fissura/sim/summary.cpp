@@ -1,10 +1,11 @@
 #include "fissura/sim/summary.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/concrete/kernels.hpp"
+#include "fissura/output/json.hpp"
 #include "fissura/sim/fragments.hpp"
 #include "fissura/sim/gauges.hpp"
 #include "fissura/sim/state_hash.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fissura/model/model.hpp"
-#include "fissura/output/json.hpp"
+#include "fissura/output/json_fwd.hpp"
 #include "fissura/sim/monitor.hpp"
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/trouble.hpp"

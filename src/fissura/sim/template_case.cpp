@@ -1,7 +1,7 @@
 #include "fissura/sim/template_case.hpp"
 
 #include <filesystem>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/atomic_file.hpp"

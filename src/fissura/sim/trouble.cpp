@@ -1,6 +1,6 @@
 #include "fissura/sim/trouble.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fissura::sim {
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/output/json.hpp"
 #include "support/cases.hpp"
 
 namespace fissura::support {

@@ -19,11 +19,11 @@ TEST(ReportWriter, WritesNowAndThen) {
   if (report::page_template().empty()) GTEST_SKIP() << "built without npm";
   TemporaryFolder const t;
   report::testing::make_running(t / "run", 2);
-  auto const log = make_log(true);
+  Log log(true);
   ReportWriter writer(t / "run", "1.2.3", true);
   auto const written = [&](double elapsed) {
     fs::remove(t / "run/report.html");
-    writer.meanwhile(elapsed, *log);
+    writer.meanwhile(elapsed, log);
     return fs::exists(t / "run/report.html");
   };
   EXPECT_FALSE(written(19));
@@ -31,7 +31,7 @@ TEST(ReportWriter, WritesNowAndThen) {
   EXPECT_FALSE(written(60));
   EXPECT_TRUE(written(200));
   fs::remove(t / "run/report.html");
-  writer.at_end(*log);
+  writer.at_end(log);
   EXPECT_TRUE(fs::exists(t / "run/report.html"));
 }
 
@@ -39,10 +39,10 @@ TEST(ReportWriter, WritesNowAndThen) {
 TEST(ReportWriter, WritesNothingUnasked) {
   TemporaryFolder const t;
   report::testing::make_running(t / "run", 1);
-  auto const log = make_log(true);
-  ReportWriter(t / "run", "", false).at_end(*log);
+  Log log(true);
+  ReportWriter(t / "run", "", false).at_end(log);
   EXPECT_FALSE(fs::exists(t / "run/report.html"));
-  EXPECT_NO_THROW(ReportWriter("", "", true).at_end(*log));
+  EXPECT_NO_THROW(ReportWriter("", "", true).at_end(log));
 }
 
 // Requirement: a page for which the run folder lacks something is a warning in the log, never the end of the
@@ -51,9 +51,9 @@ TEST(ReportWriter, NeverEndsARun) {
   TemporaryFolder const t;
   report::testing::make_running(t / "run", 2);
   fs::remove(t / "run/frames/fields_1.vtu");
-  auto const log = make_log(true);
-  log_to_file(*log, t / "log.txt");
-  EXPECT_NO_THROW(ReportWriter(t / "run", "", true).at_end(*log));
+  Log log(true);
+  log.open_file(t / "log.txt");
+  EXPECT_NO_THROW(ReportWriter(t / "run", "", true).at_end(log));
   EXPECT_FALSE(fs::exists(t / "run/report.html"));
   if (report::page_template().empty()) return;
   EXPECT_NE(report::testing::read_bytes(t / "log.txt").find("warning: no report page: cannot open"),
