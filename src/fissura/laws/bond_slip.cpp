@@ -15,17 +15,23 @@ constexpr double MPa = 1e6;
 /// Share of the slip at yield over which the strain runs from eps_y to eps_sh.
 constexpr double ramp_share = 1e-3;
 
+/// Strain from which the steel hardens. Without a plateau that is the yield strain: nothing jumps.
+double onset_of_hardening(BondParams const& p, BondCurve const& c) {
+  return std::max(p.eps_sh, c.eps_y);
+}
+
 double monotonic_strain(BondParams const& p, BondCurve const& c, double s) {
-  double const beyond = s - c.s_y;
-  if (beyond <= c.ramp) return c.eps_y + (p.eps_sh - c.eps_y) * beyond / c.ramp;
-  if (s <= c.s_0) return p.eps_sh + (beyond - c.ramp) / c.H1;
+  double const beyond = s - c.s_y, onset = onset_of_hardening(p, c);
+  if (beyond < c.ramp) return c.eps_y + (onset - c.eps_y) * beyond / c.ramp;
+  if (s <= c.s_0) return onset + (beyond - c.ramp) / c.H1;
   return c.eps_0 + (s - c.s_0) / c.H2;
 }
 
 /// The slip at which the monotonic curve has the strain `eps` >= eps_y.
 double monotonic_slip(BondParams const& p, BondCurve const& c, double eps) {
-  if (eps <= p.eps_sh) return c.s_y + c.ramp * (eps - c.eps_y) / (p.eps_sh - c.eps_y);
-  if (eps <= c.eps_0) return c.s_y + c.ramp + c.H1 * (eps - p.eps_sh);
+  double const onset = onset_of_hardening(p, c);
+  if (eps < onset) return c.s_y + c.ramp * (eps - c.eps_y) / (onset - c.eps_y);
+  if (eps <= c.eps_0) return c.s_y + c.ramp + c.H1 * (eps - onset);
   return c.s_0 + c.H2 * (eps - c.eps_0);
 }
 
@@ -55,7 +61,8 @@ BondParams make_bond_params(BondInput const& in, SteelParams const& steel) {
   p.normalise = std::cbrt(std::pow(in.f_c / MPa / 20, 2)) / in.D;
   p.alpha = in.alpha;
   p.k_e = in.alpha * (2 + 3500 * steel.eps_y());
-  p.E_s = steel.E_s, p.f_y = steel.f_y, p.f_u = steel.f_u, p.eps_sh = steel.eps_sh;
+  p.E_s = steel.E_s, p.f_y = steel.f_y, p.f_u = steel.f_u;
+  if (steel.law == SteelLaw::kato) p.eps_sh = steel.eps_sh;
   return p;
 }
 
@@ -66,11 +73,12 @@ BondCurve bond_curve(BondParams const& p, double strength, double sigma_cr) noex
   double const hardening = std::max(1.0, strength * (p.f_u - p.f_y) / MPa);
   double const s_full = p.k_e * c.eps_y; // slip at yield of a bar without stress at activation
   c.s_y = s_full - p.k_e * std::min(sigma_cr / p.E_s, 0.95 * c.eps_y);
-  c.ramp = ramp_share * s_full;
   c.H1 = 0.047 * p.alpha * hardening;
   c.H2 = 0.007 * p.alpha * hardening;
-  c.eps_0 = std::max(p.eps_sh, p.eps_sh + (0.06 - 0.5 * s_full / p.alpha) / (0.013 * hardening));
-  c.s_0 = c.s_y + c.ramp + c.H1 * (c.eps_0 - p.eps_sh);
+  double const onset = onset_of_hardening(p, c);
+  c.ramp = onset > c.eps_y ? ramp_share * s_full : 0;
+  c.eps_0 = std::max(onset, onset + (0.06 - 0.5 * s_full / p.alpha) / (0.013 * hardening));
+  c.s_0 = c.s_y + c.ramp + c.H1 * (c.eps_0 - onset);
   return c;
 }
 
@@ -85,7 +93,7 @@ double bond_strain(BondParams const& p, BondHistory& h, double S, double strengt
   }
   h.s_max = s;
   h.eps_max = monotonic_strain(p, h.curve, s + h.shift);
-  h.K = p.k_e + 2 * (s + h.shift - h.curve.s_y) / (h.eps_max + p.eps_sh);
+  h.K = p.k_e + 2 * (s + h.shift - h.curve.s_y) / (h.eps_max + onset_of_hardening(p, h.curve));
   return h.eps_max;
 }
 

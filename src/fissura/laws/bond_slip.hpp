@@ -20,7 +20,8 @@ struct BondParams {
   double normalise = 0; ///< K_fc/D: normalised slip s per slip S (Eq. 20) [1/m]
   double alpha = 1;
   double k_e = 0; ///< elastic s per strain, alpha (2 + 3500 eps_y) [-]
-  double E_s = 0, f_y = 0, f_u = 0, eps_sh = 0;
+  double E_s = 0, f_y = 0, f_u = 0;
+  double eps_sh = 0; ///< 0: the steel has no plateau (Menegotto-Pinto)
 };
 
 /// Reduction alpha (Eq. 26, corrected) for the distance l_cr to the next crack over the diameter.
@@ -34,7 +35,7 @@ struct BondCurve {
   double strength = 0;       ///< share of f_y and f_u left by shear (Eq. 24); 0 = not computed yet
   double eps_y = 0;          ///< yield strain, reduced
   double s_y = 0;            ///< slip at yield
-  double ramp = 0;           ///< width of the ramp that stands for the jump eps_y -> eps_sh
+  double ramp = 0;           ///< width of the ramp that stands for the jump eps_y -> eps_sh; 0: none
   double H1 = 0, H2 = 0;     ///< slip per strain after yield and beyond eps_0
   double eps_0 = 0, s_0 = 0; ///< where H1 ends, ramp included
 };
