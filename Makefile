@@ -22,6 +22,7 @@ DOCS_PACKAGES    := mkdocs
 PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
 FORMAT_PACKAGES  := clang-format
 FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
+COVERAGE_PACKAGES := $(TEST_PACKAGES) gcovr
 FUZZ_SECONDS     ?= 60
 
 # $(call install_packages,LIST): asks apt only if something is missing.
@@ -32,8 +33,8 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
   $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 endef
 
-.PHONY: help setup setup-program setup-demo setup-tests setup-docs setup-python setup-format setup-fuzz build build-all demo test \
-  verify properties validate figures pictures bench docs python fuzz format install clean
+.PHONY: help setup setup-program setup-demo setup-tests setup-docs setup-python setup-format setup-fuzz setup-coverage build build-all \
+  demo test verify properties validate figures pictures bench docs python fuzz sanitize coverage format install clean
 
 help:
 	@echo "make demo      install what is missing, build, run a small beam to failure: report, curve, crack picture"
@@ -43,7 +44,8 @@ help:
 	@echo "make validate  run the long cases"
 	@echo "make figures   draw the paper's figures from runs    make pictures  draw the crack pictures"
 	@echo "make python    build the Python module: $(BUILD)/python"
-	@echo "make bench | docs | fuzz | format | install [PREFIX=...] | clean"
+	@echo "make properties | fuzz | sanitize | coverage    the long checks, see docs/reference/promises.md"
+	@echo "make bench | docs | format | install [PREFIX=...] | clean"
 
 setup: setup-tests
 setup-program:
@@ -60,6 +62,8 @@ setup-format:
 	$(call install_packages,$(FORMAT_PACKAGES))
 setup-fuzz:
 	$(call install_packages,$(FUZZ_PACKAGES))
+setup-coverage:
+	$(call install_packages,$(COVERAGE_PACKAGES))
 
 build: setup-program
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=OFF
@@ -86,9 +90,10 @@ verify: build
 RANDOM_CASES ?= 100000
 properties: setup-tests
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON
-	cmake --build $(BUILD) -j $(JOBS) --target laws_laws unit_rebar verification_step
+	cmake --build $(BUILD) -j $(JOBS) --target laws_laws unit_rebar verification_step verification_sim
 	FISSURA_RANDOM=$(RANDOM_CASES) $(BUILD)/tests/laws_laws --gtest_filter='Random*'
 	FISSURA_RANDOM=10000 $(BUILD)/tests/unit_rebar --gtest_filter='Random*'
+	FISSURA_RANDOM=1000 $(BUILD)/tests/verification_sim --gtest_filter='Random*'
 	FISSURA_STEPS=1000000 $(BUILD)/tests/verification_step --gtest_filter='Long*'
 
 # All cases, an hour or more; also draws all figures and writes the verification page.
@@ -133,6 +138,31 @@ fuzz: setup-fuzz
 	  build-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -max_len=65536 -rss_limit_mb=4096 \
 	  -print_final_stats=1 -artifact_prefix=build-fuzz/$$reader- build-fuzz/corpus/$$reader tests/fuzz/corpus/$$reader; done
 
+# Address and undefined-behaviour sanitizers on the unit tests, the laws and short runs; then the thread sanitizer on the
+# tests that use threads and the same runs with four. Builds two trees: half an hour on two cores. No report is suppressed but
+# one leak of udunits (tests/fuzz/deck_fuzz.cpp).
+SANITIZED_TESTS := ^(unit|laws|faults|regression)\.
+THREADED_TESTS  := Chunks|Sums|Threads|any_number_of_threads|AnyNumberOfThreads|Collision|RigidContact
+sanitize: setup-tests
+	cmake --preset asan
+	cmake --build build-asan -j $(JOBS) --target fissura tests_unit tests_laws tests_faults tests_regression
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp ctest --test-dir build-asan -R '$(SANITIZED_TESTS)' --output-on-failure -j 2
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp tools/sanitized_runs.sh build-asan/fissura 2
+	cmake --preset tsan
+	cmake --build build-tsan -j $(JOBS) --target fissura unit_parallel unit_contact unit_rebar regression_sim verification_sim
+	ctest --test-dir build-tsan -R '$(THREADED_TESTS)' --output-on-failure
+	tools/sanitized_runs.sh build-tsan/fissura 4
+
+# Which lines the tests run, and which error messages none of them provokes: build-coverage/coverage.
+coverage: setup-coverage
+	cmake --preset coverage
+	cmake --build build-coverage -j $(JOBS)
+	ctest --test-dir build-coverage -j 2 || echo "some tests fail without optimisation: see above"
+	mkdir -p build-coverage/coverage
+	gcovr --root . --object-directory build-coverage --filter src/ --filter apps/ --exclude-throw-branches -j $(JOBS) \
+	  --json build-coverage/coverage/lines.json --html-details build-coverage/coverage/index.html --print-summary
+	$(PYTHON) tools/unprovoked_errors.py build-coverage/coverage/lines.json
+
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
@@ -140,4 +170,4 @@ install: build
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean:
-	rm -rf $(BUILD) build-fuzz runs
+	rm -rf $(BUILD) build-fuzz build-asan build-tsan build-coverage runs
