@@ -32,7 +32,7 @@ void prepare(Model const& m, State& s, int joint) {
     history.last = joint_kinematics(m, s, joint, m.dt).at;
   } else if (history.farthest >= least_parting(m.joints.joints[joint].area)) {
     auto const now = joint_kinematics(m, s, joint);
-    was == JointStatus::damaged ? break_at_hinge(m, joint, now, history) : hand_over(m, s, joint, now);
+    was == JointStatus::damaged ? break_at_hinge(m, s, joint, now) : hand_over(m, s, joint, now);
   }
   if (m.joints.any_rate) follow_strain_rate(m, s, joint, joint_kinematics(m, s, joint).normal);
 }

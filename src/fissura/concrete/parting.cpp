@@ -54,15 +54,26 @@ double handed_over(model::Joint const& joint, JointKinematics const& k) {
 
 } // namespace
 
-void break_at_hinge(Model const& m, int joint, JointKinematics const& now, state::JointHistory& history) {
+void break_at_hinge(Model const& m, State& s, int joint, JointKinematics const& now) {
   auto const& j = m.joints.joints[joint];
   if (!(faces_turned(j, now) < 0.5)) return;
+  auto& history = s.joint_history[joint];
+  auto const law = laws::with_strength(m.joints.law(joint), state::strength_factor(s, joint));
   for (int q = 0; q < 3; ++q) {
     auto& point = history.point[q];
     if (point.kappa >= 1) continue;
-    history.dissipated.mode_I +=
-        j.area / 3 * laws::cohesive_stored(m.joints.law(joint), point, history.last[q], false);
-    point.kappa = 1, point.z = 0;
+    auto const& last = history.last[q];
+    auto held = [&](laws::Separation at, laws::CohesiveHistory const& h) {
+      return j.area / 3 * laws::cohesive_stored(law, h, at, false);
+    };
+    laws::CohesiveHistory const at_rest{point.kappa, point.z, point.f_s, last.sliding_1, last.sliding_2},
+        opened_only{point.kappa, point.z, point.f_s, 0, 0},
+        broken{1, 0, point.f_s, last.sliding_1, last.sliding_2};
+    double const cohesive = held(last, at_rest), opening = held({last.opening, 0, 0}, opened_only);
+    history.dissipated.friction += held(last, point) - cohesive;
+    history.dissipated.mode_II += cohesive - opening;
+    history.dissipated.mode_I += opening - held(last, broken); // pressed faces keep what pressure holds
+    point = broken;
   }
 }
 

@@ -8,8 +8,7 @@ namespace fissura::concrete {
 
 /// A joint whose faces have turned by 60 degrees has broken, also where a point on the hinge between them
 /// never opened; what that held is lost.
-void break_at_hinge(model::Model const& m, int joint, JointKinematics const& now,
-                    state::JointHistory& history);
+void break_at_hinge(model::Model const& m, state::State& s, int joint, JointKinematics const& now);
 
 /// The load that a crack-face pair gives up goes to contact, which takes it up as the faces close; what the
 /// pair held for it one step ago is lost to friction.

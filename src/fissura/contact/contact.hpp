@@ -1,5 +1,5 @@
 #pragma once
-// F_inter of Eq. (2): contact with friction between tets that are not joined (MODEL: bodies that are apart
+// F_inter of Eq. (2): contact with friction between tets that are not joined (bodies that are apart
 // from the start, fragments, and cracks whose faces have slid off each other). Theory:
 // docs/theory/contact.md.
 #include "fissura/model/model.hpp"

@@ -56,6 +56,14 @@ class FacePass {
     return distance(body_, centre - moved_).value <= reach;
   }
 
+  /// Books what the points of a face hold that is out of reach now.
+  void let_go(int first, RigidScratch::Result& result) const {
+    auto const& touch = s_.rigid.touch;
+    for (auto i = static_cast<std::size_t>(first); i < touch.size() && order_of(touch[i]) == order_of(face_);
+         ++i)
+      result.lost += held_across(touch[i]);
+  }
+
   /// Fills in the result and adds the forces of the corners.
   void act(int first, RigidScratch::Result& result, double* corner_force) {
     v_ = on_face(s_.v, face_.tet, face_.face);
@@ -65,9 +73,12 @@ class FacePass {
       while (next < touch.size() && order_of(touch[next]) == order_of(face_) && touch[next].point < q) ++next;
       Vec3 const x = at(x_, face_points[q]) - moved_;
       auto const d = distance(body_, x);
-      if (!(d.value < 0)) continue;
       bool const known =
           next < touch.size() && order_of(touch[next]) == order_of(face_) && touch[next].point == q;
+      if (!(d.value < 0)) {
+        if (known) result.lost += held_across(touch[next]);
+        continue;
+      }
       Vec3 const step = m_.dt * (at(v_, face_points[q]) - s_.rigid.body[face_.body].v);
       press(q, -d.value, d.normal, step, known ? touch[next] : fresh(q, x - step), result, corner_force);
     }
@@ -79,6 +90,12 @@ class FacePass {
   RigidTouch fresh(std::size_t q, Vec3 x_before) const {
     double const before = -distance(body_, x_before).value;
     return {face_.tet, face_.face, static_cast<std::uint8_t>(q), face_.body, std::max(0.0, before), {}};
+  }
+
+  /// Energy of the tangential spring [J], which is lost when its point comes free.
+  double held_across(RigidTouch const& touch) const {
+    double const area = face_.area * face_points[touch.point].share;
+    return area * rigid_stored({face_.stiffness, body_.friction}, {0, touch.stretch}, 0);
   }
 
   void press(std::size_t q, double g, Vec3 normal, Vec3 step, RigidTouch touch, RigidScratch::Result& result,
@@ -116,7 +133,10 @@ void act_on(Model const& m, State const& s, Scratch& w, RigidScratch::Host const
     result.force = {};
     result.lost = 0;
     FacePass pass(m, s, r.faces[f]);
-    if (pass.may_touch()) pass.act(r.first[f], result, w.overlay.at(host.slot));
+    if (pass.may_touch())
+      pass.act(r.first[f], result, w.overlay.at(host.slot));
+    else
+      pass.let_go(r.first[f], result);
   }
 }
 
@@ -126,10 +146,10 @@ void collect(State& s, RigidScratch const& r) {
   for (auto& b : s.rigid.body) b.force = {};
   for (std::size_t f = 0; f < r.faces.size(); ++f) {
     auto const& result = r.results[f];
+    s.ledger.contact_friction += result.lost;
     if (result.count == 0) continue;
     s.rigid.touch.insert(s.rigid.touch.end(), result.touch.begin(), result.touch.begin() + result.count);
     s.rigid.body[r.faces[f].body].force += result.force;
-    s.ledger.contact_friction += result.lost;
   }
 }
 

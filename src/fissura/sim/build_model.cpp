@@ -20,6 +20,7 @@
 #include "fissura/sim/advice.hpp"
 #include "fissura/sim/doubts.hpp"
 #include "fissura/step/stable_step.hpp"
+#include "fissura/units/units.hpp"
 
 namespace fissura::sim {
 
@@ -99,7 +100,7 @@ step::StableStep lift_step(Model& m, double dt) {
   return stable;
 }
 
-void choose_step(Model& m) {
+void choose_step(Model& m, BuildReport& report) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
   auto const stable =
@@ -109,6 +110,12 @@ void choose_step(Model& m) {
   m.dt_limiter = run.dt > 0
                      ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
                      : stable.limiter;
+  if (run.dt > limit)
+    report.warnings.push_back(
+        fmt::format("[run] dt = {} is longer than the largest stable step, {} by {}: the run will blow up; "
+                    "leave `dt` out, or give less",
+                    units::from_si(run.dt, units::Dimension::time),
+                    units::from_si(limit, units::Dimension::time), stable.limiter));
 }
 
 } // namespace
@@ -140,7 +147,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
   contact::check_start(m);
-  choose_step(m);
+  choose_step(m, report);
   build_absorbing(m); // after mass scaling
   for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));
   for (auto& doubt : doubts(m, report.quality)) report.warnings.push_back(std::move(doubt));

@@ -81,7 +81,7 @@ bool Run::Impl::advance() {
   step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
   if (auto trouble = guards_.after_step(m_, s_)) throw RunFailure(std::move(*trouble));
   if (!reading) return false;
-  if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
+  take_reading();
   if (row || steering) gauges_.read_forces(m_, s_, load_time);
   if (row) {
     history_->row(time, load_time, m_, s_, gauges_, energy_, monitor_);
@@ -100,6 +100,15 @@ bool Run::Impl::advance() {
   if (beat) change_stage(); // on a beat of its own, so that output settings change no result
   show_progress();
   return false;
+}
+
+/// The balance of energies, with a word where it begins to drift.
+void Run::Impl::take_reading() {
+  bool const was_warned = monitor_.crossed_warning();
+  if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
+  if (!was_warned && monitor_.crossed_warning())
+    log_->warn("t = {:.5g} s: the energy residual passes {:.2g} %", s_.time,
+               100 * m_.source.run.residual_warn);
 }
 
 void Run::Impl::change_stage() {

@@ -53,8 +53,8 @@ class Run {
   /// One time step with the rows, frames and checks that are due with it. False once the run has ended:
   /// result() says how. A failed run ends with status "failed"; only input/output failures throw.
   bool step();
-  /// Writes the last frame and the summary, before them a checkpoint if the run was stopped; a run that has not ended
-  /// is "stopped" by it. Once is enough.
+  /// Writes the last frame and the summary, before them a checkpoint if the run was stopped; a run that has
+  /// not ended is "stopped" by it. Once is enough.
   RunResult const& finish();
   /// Replaces the curve of a load from now on (sim/change_load.hpp). A checkpoint does not know of it.
   void change_load(std::string const& name, std::string const& key, model::Curve const& curve);

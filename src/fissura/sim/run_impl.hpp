@@ -53,6 +53,7 @@ class Run::Impl {
   // Time goes on.
   bool reason_to_stop();
   bool advance();
+  void take_reading();
   void change_stage();
   void show_progress();
   void finish();

@@ -1,5 +1,5 @@
 #pragma once
-// Every joule has a named account (MODEL section 9).
+// Every joule has a named account.
 #include <array>
 #include <string_view>
 #include <utility>

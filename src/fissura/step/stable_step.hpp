@@ -16,7 +16,7 @@ struct StableStep {
 };
 
 /// The limit of the model's own forces at rest (step/highest_frequency.hpp), or where that is lower (it never
-/// should be) the bound over tets, joints, bar joints and viscosity (MODEL section 1): the joints' and bars'
+/// should be) the bound over tets, joints, bar joints and viscosity: the joints' and bars'
 /// stiffness is replaced by its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one
 /// block per tet; the frequency of a block is at most that of the tet alone plus its largest diagonal entry.
 /// Rigorous for small displacements.

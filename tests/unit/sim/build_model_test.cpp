@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/sim/build_model.hpp"
 #include "fissura/sim/check.hpp"
 #include "fissura/sim/fields.hpp"
 #include "fissura/sim/monitor.hpp"
@@ -232,6 +233,23 @@ TEST(Templates, are_written_once) {
   } catch (core::Error const& e) {
     EXPECT_NE(std::string(e.what()).find(sim::template_names()), std::string::npos);
   }
+}
+
+// Requirement: a time step beyond the largest stable one is warned of before the run.
+TEST(BuildModel, warns_of_a_step_that_cannot_be_stable) {
+  auto c = box_case({2, 1, 1}, {0.2, 0.1, 0.1}, 1);
+  auto warns = [&] {
+    sim::BuildReport report;
+    sim::build_model(c, report);
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [](std::string const& w) {
+      return w.find("longer than the largest stable step") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(warns());
+  c.run.dt = 1e-7;
+  EXPECT_FALSE(warns());
+  c.run.dt = 1e-5;
+  EXPECT_TRUE(warns());
 }
 
 } // namespace

@@ -478,5 +478,26 @@ TEST(Paths, may_come_to_rest) {
   EXPECT_NEAR(strain.back(), strain[strain.size() - 20], 1e-12);
 }
 
+// Requirement: the log says when the energy residual passes its warning level, once and as it happens.
+TEST(Run, warns_as_the_residual_passes_its_level) {
+  TemporaryFolder folder;
+  auto c = small_tie();
+  c.run.residual_warn = 1e-14;
+  auto options = options_for(folder / "run");
+  sim::Run run(c, options);
+  run.open();
+  while (run.step()) {
+  }
+  run.finish();
+  int passes = 0, first = 0, n = 0, end = 0;
+  for (auto const& line : lines_of(options.out + "/log.txt")) {
+    ++n;
+    if (line.find("the energy residual passes") != std::string::npos) ++passes, first = n;
+    if (line.find("complete: ") != std::string::npos) end = n;
+  }
+  EXPECT_EQ(passes, 1);
+  EXPECT_LT(first, end);
+}
+
 } // namespace
 } // namespace fissura::support
