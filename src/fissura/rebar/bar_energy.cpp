@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fissura/rebar/element_energy.hpp"
 #include "fissura/rebar/rebar.hpp"
 
@@ -26,7 +28,9 @@ BarEnergy bar_energy(model::Bars const& bars, state::BarState const& s) {
     auto const& law = bars.joint_law[i];
     sum.joints += s.is_activated(i) ? laws::bar_joint_stored(law.activated, s.history[i])
                                     : intact_energy(law, s.motion[i].axial);
-    sum.bond_steel += s.account[i].bond_steel;
+    // A joint books the work it takes less what it holds, so its own balance closes whatever its laws do.
+    // What it has given back beyond that came from nowhere: it is no loss, and stays missing in the balance.
+    sum.bond_steel += std::max(0.0, s.account[i].bond_steel);
     sum.dowel += s.account[i].dowel;
     sum.rupture += s.account[i].rupture;
   }

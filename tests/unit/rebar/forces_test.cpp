@@ -258,5 +258,15 @@ TEST(BarForces, StiffnessBoundHolds) {
     }
 }
 
+// Requirement: a bar joint that has given back more than it ever took is no negative loss that closes the
+// balance, and does not hide what others have lost.
+TEST(BarJoint, EnergyFromNowhereIsNotBooked) {
+  BarModel b(support::random_box_mesh(0, {4, 3, 3}), bars_across(1));
+  ASSERT_GE(b.s.bars.account.size(), 2u);
+  b.s.bars.account[0].bond_steel = 3;
+  b.s.bars.account[1].bond_steel = -1;
+  EXPECT_EQ(b.energy().bond_steel, 3);
+}
+
 } // namespace
 } // namespace fissura::test
