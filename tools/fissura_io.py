@@ -8,6 +8,7 @@
 import csv
 import json
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
 import zlib
 from collections import namedtuple
@@ -21,6 +22,12 @@ VERTEX, LINE, TRIANGLE, TETRAHEDRON = 1, 3, 5, 10
 CORNERS = {VERTEX: 1, LINE: 2, TRIANGLE: 3, TETRAHEDRON: 4}
 
 Column = namedtuple("Column", "name unit values")
+
+
+def refuse(tool, error):
+    """Ends a tool as the program ends: with 2 for bad input, 3 where files cannot be read or written."""
+    print(f"{tool}: {error}", file=sys.stderr)
+    sys.exit(3 if isinstance(error, OSError) else 2)
 
 
 class BadFile(Exception):

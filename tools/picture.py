@@ -265,13 +265,13 @@ def main():
     arguments = parser.parse_args()
     for name, word in (("time", "last"), ("warp", "auto")):
         if not is_number(getattr(arguments, name)) and getattr(arguments, name) != word:
-            sys.exit(f"picture: --{name} is a number or `{word}`, not `{getattr(arguments, name)}`")
+            io.refuse("picture", f"--{name} is a number or `{word}`, not `{getattr(arguments, name)}`")
     try:
         run = io.Run(arguments.run)
         moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field)
         draw(scene, moment, arguments.title or run.folder.resolve().name, "xyz".index(arguments.up), arguments.out)
     except (io.BadFile, OSError) as error:
-        sys.exit(f"picture: {error}")
+        io.refuse("picture", error)
     print(f"picture: {arguments.out}")
 
 

@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from fissura_io import BadFile, Run
+from fissura_io import BadFile, Run, refuse
 
 SCALES = {"m": (1e3, "mm"), "Pa": (1e-6, "MPa"), "N": (1e-3, "kN")}
 
@@ -71,7 +71,7 @@ def main():
             raise BadFile(f"{history.path}: no rows yet")
         draw(history, arguments.x, arguments.y, arguments.out, arguments.title or Path(arguments.run).resolve().name)
     except (BadFile, OSError) as error:
-        sys.exit(f"plot_history: {error}")
+        refuse("plot", error)
     if arguments.peak:
         for y in arguments.y:
             print(peak(history, arguments.x, y))

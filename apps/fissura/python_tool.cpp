@@ -73,7 +73,9 @@ int run_python_tool(std::string const& name, std::vector<std::string> const& arg
   std::vector<std::string> words{python, tool};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::fflush(stdout);
-  return run_program(words) == 0 ? 0 : static_cast<int>(core::Failure::io);
+  int const code = run_program(words);
+  bool const is_known = code == 0 || code == static_cast<int>(core::Failure::input);
+  return is_known ? code : static_cast<int>(core::Failure::io);
 }
 
 } // namespace fissura::app

@@ -4,8 +4,8 @@
 
 namespace fissura::app {
 
-/// Runs a drawing tool (picture.py, plot_history.py) with Debian's Python and returns its exit code: 0, or 3
-/// for what the tool refuses. The tools lie in ../share/fissura/tools beside an installed program, in the
+/// Runs a drawing tool (picture.py, plot_history.py) with Debian's Python and returns its exit code: 0, 2
+/// for bad input (a column that is not there), 3 for what cannot be read or written. The tools lie in ../share/fissura/tools beside an installed program, in the
 /// source folder beside one that was built there, or where FISSURA_TOOLS says. Throws
 /// core::Error(Failure::io) where the tool, Python, numpy or matplotlib is missing, with the package to
 /// install.

@@ -116,7 +116,7 @@ class Commands(unittest.TestCase):
         self.assertGreaterEqual(done.returncode, 2)
         self.assertIn("opening", done.stderr)
         done = fissura("picture", self.run_b, "--time", "late")
-        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.returncode, 2)
         self.assertIn("--time is a number or `last`, not `late`", done.stderr)
 
     def test_plot(self):
@@ -127,8 +127,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(out.read_bytes()[:8], PNG)
         self.assertIn("peak load", done.stdout)
         done = fissura("plot", self.run_a, "--y", "laod")
-        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.returncode, 2)
         self.assertIn("no column 'laod'; there are: time, load", done.stderr)
+        done = fissura("plot", self.run_a, "--y", "load", "-o", self.folder / "nowhere" / "curve.png")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("nowhere", done.stderr)
 
     def test_drawing_tools_missing(self):
         """Without the drawing tools beside the program, the error says where they are looked for. (An empty folder named
