@@ -273,10 +273,10 @@ void finish_steel(Reader& reader, Node const&, void* record) {
   if (strengths && s.f_u < s.f_y)
     reader.error(reader.place(record, "f_u"), fmt::format("`f_u` = {} must not be less than `f_y` = {}",
                                                           pressure(s.f_u), pressure(s.f_y)));
-  if (reader.good(record, {"E_s", "f_y", "eps_sh"}) && s.eps_sh < s.f_y / s.E_s)
-    reader.error(
-        reader.place(record, "eps_sh"),
-        fmt::format("`eps_sh` = {} lies before yielding at f_y/E_s = {:.3g}", s.eps_sh, s.f_y / s.E_s));
+  if (reader.good(record, {"E_s", "f_y", "eps_sh"}) && s.eps_sh <= s.f_y / s.E_s)
+    reader.error(reader.place(record, "eps_sh"),
+                 fmt::format("`eps_sh` = {} must be larger than the strain at yield, f_y/E_s = {:.3g}",
+                             s.eps_sh, s.f_y / s.E_s));
   if (reader.good(record, {"eps_sh", "eps_u"}) && s.eps_u <= s.eps_sh)
     reader.error(reader.place(record, "eps_u"),
                  fmt::format("`eps_u` = {} must be larger than `eps_sh` = {}", s.eps_u, s.eps_sh));
@@ -288,7 +288,7 @@ void finish_steel(Reader& reader, Node const&, void* record) {
 Section steel_section() {
   Section s =
       many_section("steel", &model::Case::steels,
-                   "A reinforcing steel. The order of the strains is f_y/E_s <= eps_sh < eps_u < eps_br.");
+                   "A reinforcing steel. The order of the strains is f_y/E_s < eps_sh < eps_u < eps_br.");
   s.finish = finish_steel;
   Fields<SteelSpec> f(s.keys);
   f.name("name", &SteelSpec::name, "Bars refer to it.").required();

@@ -200,7 +200,7 @@ std::vector<Fault> const faults{
     {"misordered strains", "f_u = \"550 MPa\"", "f_u = \"550 MPa\"\neps_br = 0.019",
      "15:10: error: `eps_br` = 0.019 must be larger than `eps_u` = 0.1"},
     {"hardening before yield", "f_u = \"550 MPa\"", "f_u = \"550 MPa\"\neps_sh = 0.001",
-     "15:10: error: `eps_sh` = 0.001 lies before yielding at f_y/E_s = 0.0025"},
+     "15:10: error: `eps_sh` = 0.001 must be larger than the strain at yield, f_y/E_s = 0.0025"},
     {"bar without section", "diameter = \"12 mm\"\n", "", "15:1: error: [[bar]] needs `diameter` or `area`"},
     {"bar of one point", ", [\"1 m\", \"0.1 m\", \"0.1 m\"]]", "]",
      "19:10: error: `points` needs at least 2 points"},

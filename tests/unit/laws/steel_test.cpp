@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
 using namespace fissura::laws;
 
@@ -17,6 +20,23 @@ TEST(Steel, DispatchesByLaw) {
   EXPECT_FALSE(is_ruptured(p, g));
   steel_stress(p, g, 0.13);
   EXPECT_TRUE(is_ruptured(p, g));
+}
+
+// Requirement: a steel without hardening (f_u = f_y, the horizontal branch of EC2) is allowed, and stays
+// within its yield stress through cycles, by either law.
+TEST(Steel, MayBePerfectlyPlastic) {
+  for (auto const law : {SteelLaw::kato, SteelLaw::menegotto_pinto}) {
+    SteelParams const p{200e9, 500e6, 500e6, 0.03, 0.1, 0.12, law};
+    EXPECT_NO_THROW(check_steel_params(p));
+    SteelHistory h;
+    double strain = 0, most = 0;
+    for (double const target : {0.02, -0.01, 0.05, 0.03, 0.09})
+      for (double const step = target > strain ? 1e-5 : -1e-5; (target - strain) * step > 0; strain += step)
+        most = std::max(most, steel_stress(p, h, strain));
+    EXPECT_GT(most, 0.99 * p.f_y);
+    EXPECT_LE(most, p.f_y * (1 + 1e-9));
+    EXPECT_FALSE(is_ruptured(p, h));
+  }
 }
 
 // Shear in the bar reduces both strengths, not the stiffness (Eq. 24).
