@@ -19,11 +19,6 @@ inline double steel_stress(SteelParams const& p, SteelHistory& h, double strain,
   return SteelKato{now}(h.kato, strain);
 }
 
-/// Stress [Pa] of the last evaluation.
-inline double last_stress(SteelParams const& p, SteelHistory const& h) noexcept {
-  return p.law == SteelLaw::menegotto_pinto ? h.menegotto_pinto.stress : h.kato.stress;
-}
-
 inline bool is_ruptured(SteelParams const& p, SteelHistory const& h) noexcept {
   return p.law == SteelLaw::menegotto_pinto ? h.menegotto_pinto.ruptured : h.kato.ruptured;
 }

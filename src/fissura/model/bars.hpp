@@ -18,7 +18,6 @@ struct BarProperties {
   SteelSpec steel;
   double area = 0;           ///< A_s [m2] of one copy
   double diameter = 0;       ///< D [m]
-  double second_moment = 0;  ///< I_s = pi D^4/64 [m4]
   double initial_strain = 0; ///< eps_0 [-]
   CrackSpacing crack_spacing = CrackSpacing::automatic;
   double l_cr = 0; ///< [m] for CrackSpacing::given

@@ -30,7 +30,6 @@ model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::S
   if (!(p.area > 0))
     throw core::InputError(bar.place,
                            fmt::format("bar '{}' needs a diameter or an area above zero", bar.name));
-  p.second_moment = std::numbers::pi / 64 * std::pow(p.diameter, 4);
   p.initial_strain = bar.initial_strain;
   p.crack_spacing = bar.crack_spacing;
   p.l_cr = bar.l_cr;
