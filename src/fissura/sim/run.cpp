@@ -107,7 +107,7 @@ void Run::Impl::take_reading() {
   bool const was_warned = monitor_.crossed_warning();
   if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
   if (!was_warned && monitor_.crossed_warning())
-    log_->warn("t = {:.5g} s: the energy residual passes {:.2g} %", s_.time,
+    log_.warning("t = {:.5g} s: the energy residual passes {:.2g} %", s_.time,
                100 * m_.source.run.residual_warn);
 }
 
