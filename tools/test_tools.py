@@ -194,10 +194,10 @@ class Picture(WithFolder):
         self.assertGreater(colourful[: pixels.shape[0] * 3 // 4].sum(), 200)
 
     def test_missing_run(self):
-        """Requirement: a folder that is no run gives one line and exit code 1, not a traceback."""
+        """Requirement: a folder that is no run gives one line and exit code 2, not a traceback."""
         done = subprocess.run([sys.executable, TOOLS / "picture.py", self.folder / "no", "-o", "x.png"],
                               capture_output=True, text=True)
-        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"^picture: .*no such run folder\n$")
 
 

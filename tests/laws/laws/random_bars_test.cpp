@@ -1,5 +1,5 @@
 // Properties of steel, bond, dowel and bar joints on any path with any parameters that make sense, and of the
-// growth of strength with the strain rate. Some hundred paths here, 10^5 each in `make validate`
+// growth of strength with the strain rate. Some hundred paths here, 6e4 each in `make validate`
 // (FISSURA_RANDOM).
 #include <gtest/gtest.h>
 
@@ -153,7 +153,7 @@ BarFindings drive_joint(BarJointParams const& p, Random& r) {
 // Requirement: on any path of slip and offset the accounts of a bar joint close, no more comes out than was
 // put in, its stress stays within the strength of the steel, damage of the dowel, yielding and rupture are
 // for good. Of what was lost some may come back just past yield, where the strain runs ahead of the slip
-// (known: laws/bar_joint_energy_test.cpp): with 10^5 random steels, bonds and paths up to 2.6 % of the work.
+// (known: laws/bar_joint_energy_test.cpp): with 6e4 random steels, bonds and paths up to 2.6 % of the work.
 TEST(RandomPaths, bar_joints) {
   double worst = 0;
   for (bool const dowel : {false, true})

@@ -66,6 +66,8 @@ TEST_P(Ratchet, none_without_load) {
 }
 
 // Requirement: the same small cycle of load, repeated, does not lengthen the tie by more than 1e-6 a cycle.
+// With Kato's steel it does not shorten it either; Menegotto-Pinto's round branches take back some 3 % of
+// what stays (docs/theory/steel_menegotto_pinto.md), never more than 4 %.
 TEST_P(Ratchet, small_under_repeated_load) {
   auto c = released_tie(GetParam());
   for (int i = 0; i < 4; ++i) {
@@ -79,7 +81,11 @@ TEST_P(Ratchet, small_under_repeated_load) {
     advance_to(x, 0.06 + 0.1 * i - (i == 0 ? 0 : 1e-4));
     rest.push_back(mean_strain(x));
   }
-  for (std::size_t i = 2; i < rest.size(); ++i) EXPECT_NEAR(rest[i], rest[i - 1], 1e-6) << i;
+  double const taken_back = GetParam() == model::SteelLaw::kato ? 1e-6 : 0.04 * rest[1];
+  for (std::size_t i = 2; i < rest.size(); ++i) {
+    EXPECT_LE(rest[i], rest[i - 1] + 1e-6) << i;
+    EXPECT_GE(rest[i], rest[i - 1] - taken_back) << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(BothLaws, Ratchet,
