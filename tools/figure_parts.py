@@ -45,8 +45,7 @@ def save(figure, axes, title, out):
 
 def crack_pictures(scenes, titles, heading, out):
     """Side views one below the other with one scale of colours."""
-    opening = np.concatenate([s.opening for s in scenes])
-    crack_norm = Normalize(0, max(np.percentile(opening, 99) if opening.size else 1, 1e-9))
+    crack_norm = picture.crack_scale(np.concatenate([s.value for s in scenes]), scenes[0].crack_label)
     stress = np.concatenate([s.stress for s in scenes])
     bar_norm = Normalize(min(0.0, stress.min()), stress.max()) if stress.size else None
     camera = picture.side_camera(scenes[0].body, 2)
@@ -60,11 +59,11 @@ def crack_pictures(scenes, titles, heading, out):
         axes = figure.add_axes([0.01, top / total, 0.98, (height - 0.3) / total])
         picture.paint(axes, scene, camera, crack_norm, bar_norm, True)
         figure.text(0.02, (top + height - 0.22) / total, title, fontsize=9)
-    for i, (norm, colours, text) in enumerate([(crack_norm, picture.CRACKS, "crack opening [mm]"),
+    for i, (norm, colours, text) in enumerate([(crack_norm, picture.CRACKS, scenes[0].crack_label),
                                                (bar_norm, picture.BARS, "bar stress [MPa]")]):
         if norm is not None:
             place = figure.add_axes([0.06 + 0.5 * i, 0.5 / total, 0.38, 0.14 / total])
-            figure.colorbar(ScalarMappable(norm, colours), cax=place, orientation="horizontal", label=text)
+            picture.colour_key(figure, norm, colours, place, text)
     figure.text(0.5, 1 - 0.28 / total, heading, ha="center")
     figure.savefig(out)
     plt.close(figure)
@@ -73,6 +72,6 @@ def crack_pictures(scenes, titles, heading, out):
 
 def wide(scene, least):
     """Only the cracks that are open by at least so many millimetres: the hairline ones along the bar hide the others."""
-    shown = scene.opening >= least
-    scene.cracks, scene.opening = scene.cracks[shown], scene.opening[shown]
+    shown = scene.value >= least
+    scene.cracks, scene.value = scene.cracks[shown], scene.value[shown]
     return scene

@@ -144,6 +144,15 @@ class Run:
     def summary(self):
         return json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
 
+    @property
+    def title(self):
+        """That of the case; the folder's name where there is none, or while the run goes on and has none yet."""
+        try:
+            title = self.summary.get("title")
+        except (OSError, ValueError):
+            title = None
+        return title or self.folder.resolve().name
+
     def frame(self, kind, time="last"):
         """Time and files of the frame of fields, cracks or bars at `time` ("last", or the nearest to a number)."""
         path = self.folder / f"{kind}.pvd"

@@ -21,7 +21,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
+from matplotlib.ticker import NullLocator
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import fissura_io as io
@@ -29,6 +30,8 @@ import fissura_io as io
 # The pale end of the map is left out: a hairline crack must stand out from the grey body.
 CRACKS = LinearSegmentedColormap.from_list("cracks", plt.get_cmap("inferno_r")(np.linspace(0.25, 1, 256)))
 BARS = plt.get_cmap("viridis")
+LEAST_COLOUR = 0.01  # [mm]: the opening that the logarithmic scale begins with, as in the report page
+HAIRLINE = 0.02      # [mm]: narrower cracks hide those that matter where the widest is ten times as wide
 # What may colour the cracks: factor to the unit shown, and its name.
 FIELDS = {"opening": (1e3, "crack opening [mm]"), "sliding": (1e3, "sliding of the crack faces [mm]"), "damage": (1.0, "damage [-]")}
 PIECES = 0.45 + 0.55 * plt.get_cmap("tab10")(np.arange(10))[[7, 0, 1, 2, 4, 6, 8, 9, 3], :3]
@@ -99,7 +102,22 @@ def displacement_at(grid, fields, by_position):
     return np.array([by_position.get(p.tobytes(), nothing) for p in grid.points + 0.0]).reshape(-1, 3)
 
 
-def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="opening"):
+def crack_scale(values, label):
+    """Colour scale of the cracks: logarithmic for openings, which run from hairlines to gaps; linear else."""
+    largest = max(np.percentile(values, 99) if values.size else 1, 1e-9)
+    if label != FIELDS["opening"][1]:
+        return Normalize(0, largest)
+    return LogNorm(LEAST_COLOUR, max(largest, 10 * LEAST_COLOUR), clip=True)
+
+
+def wide_enough(opening, least):
+    """Which cracks are drawn; openings and `least` in mm, or "auto": no hairlines where there are wide cracks."""
+    if least == "auto":
+        least = HAIRLINE if opening.max(initial=0) > 10 * HAIRLINE else -np.inf
+    return opening >= float(least)
+
+
+def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="opening", least="auto"):
     factor, crack_label = FIELDS[colour_by]
     moment, files = run.frame("fields", time)
     if not files:
@@ -125,7 +143,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
         grid = io.read_vtu(part)
         triangles, which = grid.cells(io.TRIANGLE)
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
-        shown = damage >= minimum_damage
+        shown = (damage >= minimum_damage) & wide_enough(1e3 * grid.cell_data["opening"][which], least)
         scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
         scene.value = np.append(scene.value, factor * grid.cell_data[colour_by][which][shown])
     for part in run.frame("bars", moment)[1]:
@@ -211,6 +229,16 @@ def paint(axes, scene, camera, crack_norm, bar_norm, widest_last):
     return (high - low) + 2 * margin
 
 
+def colour_key(figure, norm, colours, place, text):
+    """A horizontal key; a logarithmic one has plain numbers."""
+    key = figure.colorbar(ScalarMappable(norm, colours), cax=place, orientation="horizontal", label=text)
+    if isinstance(norm, LogNorm):
+        ticks = [m * 10.0 ** p for p in range(-2, 4) for m in (1, 2, 5)]
+        key.set_ticks([t for t in ticks if norm.vmin <= t <= norm.vmax * 1.001])
+        key.ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        key.ax.xaxis.set_minor_locator(NullLocator())
+
+
 def size_of(scene, camera):
     shown = np.concatenate([scene.body.reshape(-1, 3), scene.impactors.reshape(-1, 3)])
     return np.maximum(np.ptp(shown @ camera[:2].T, axis=0), 1e-12)
@@ -224,7 +252,7 @@ def draw(scene, moment, title, up, out):
     bars_below = [b for b in (scene.value.size, scene.stress.size) if b]
     figure = plt.figure(figsize=(width, sum(heights) + 0.6 + (0.9 if bars_below else 0)), dpi=140)
     total = figure.get_figheight()
-    crack_norm = Normalize(0, max(np.percentile(scene.value, 99) if scene.value.size else 1, 1e-9))
+    crack_norm = crack_scale(scene.value, scene.crack_label)
     bar_norm = Normalize(min(0.0, scene.stress.min()), max(scene.stress.max(), 1e-9)) if scene.stress.size else None
 
     top = total - 0.5
@@ -239,7 +267,7 @@ def draw(scene, moment, title, up, out):
         keys.append((bar_norm, BARS, "bar stress [MPa]"))
     for i, (norm, colours, text) in enumerate(keys):
         place = figure.add_axes([0.06 + 0.5 * i, 0.5 / total, 0.38, 0.14 / total])
-        figure.colorbar(ScalarMappable(norm, colours), cax=place, orientation="horizontal", label=text)
+        colour_key(figure, norm, colours, place, text)
     figure.text(0.5, 1 - 0.3 / total, f"{title}   t = {moment:.4g} s   displacements x {scene.warp:g}", ha="center")
     figure.savefig(out)
 
@@ -260,16 +288,20 @@ def main():
     parser.add_argument("--up", default="z", choices="xyz", help="axis that points up in the picture")
     parser.add_argument("--min-damage", type=float, default=0.2, help="joints with less damage are not drawn")
     parser.add_argument("--fragments", action="store_true", help="draw the pieces instead of the cracks")
-    parser.add_argument("--title", help="default: the name of the run folder")
+    parser.add_argument("--from", dest="least", default="auto", metavar="MM",
+                        help="cracks narrower than this are not drawn; auto: 0.02 mm where the widest is above 0.2 mm")
+    parser.add_argument("--title", help="default: that of the case")
     parser.add_argument("-o", "--out", required=True, help="PNG to write")
     arguments = parser.parse_args()
-    for name, word in (("time", "last"), ("warp", "auto")):
-        if not is_number(getattr(arguments, name)) and getattr(arguments, name) != word:
-            io.refuse("picture", f"--{name} is a number or `{word}`, not `{getattr(arguments, name)}`")
+    for option, word in (("time", "last"), ("warp", "auto"), ("from", "auto")):
+        given = getattr(arguments, "least" if option == "from" else option)
+        if not is_number(given) and given != word:
+            io.refuse("picture", f"--{option} is a number or `{word}`, not `{given}`")
     try:
         run = io.Run(arguments.run)
-        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field)
-        draw(scene, moment, arguments.title or run.folder.resolve().name, "xyz".index(arguments.up), arguments.out)
+        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field,
+                                   arguments.least)
+        draw(scene, moment, arguments.title or run.title, "xyz".index(arguments.up), arguments.out)
     except (io.BadFile, OSError) as error:
         io.refuse("picture", error)
     print(f"picture: {arguments.out}")

@@ -61,15 +61,16 @@ def main():
     parser.add_argument("run", help="run folder")
     parser.add_argument("--x", default="time", help="column, with or without its unit")
     parser.add_argument("--y", action="append", required=True, help="column; may be given several times")
-    parser.add_argument("--title", help="default: the name of the run folder")
+    parser.add_argument("--title", help="default: that of the case")
     parser.add_argument("--peak", action="store_true", help="print the largest magnitude of each y")
     parser.add_argument("-o", "--out", required=True, help="PNG to write")
     arguments = parser.parse_args()
     try:
-        history = Run(arguments.run).history
+        run = Run(arguments.run)
+        history = run.history
         if history["time"].values.size == 0:
             raise BadFile(f"{history.path}: no rows yet")
-        draw(history, arguments.x, arguments.y, arguments.out, arguments.title or Path(arguments.run).resolve().name)
+        draw(history, arguments.x, arguments.y, arguments.out, arguments.title or run.title)
     except (BadFile, OSError) as error:
         refuse("plot", error)
     if arguments.peak:

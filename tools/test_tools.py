@@ -16,6 +16,7 @@ sys.path.insert(0, str(TOOLS))
 import check_arrows
 import check_links
 import fissura_io as io
+import figure_parts
 import picture
 
 VTK_NAME = {np.dtype("f4"): "Float32", np.dtype("f8"): "Float64", np.dtype("u1"): "UInt8", np.dtype("i4"): "Int32",
@@ -171,6 +172,29 @@ class Picture(WithFolder):
         np.testing.assert_allclose(scene.value, [0.2, 0.6, 0.9])
         self.assertLess(scene.stress.max(), 400)
         self.assertAlmostEqual(scene.cracks[2, 0, 2], -0.2, places=12)
+
+    def test_hairlines_are_left_out_beside_wide_cracks(self):
+        """Requirement: below 0.02 mm nothing is drawn where the widest crack is above 0.2 mm, unless all are asked for."""
+        fine, coarse = np.array([0.005, 0.019, 0.1]), np.array([0.005, 0.019, 0.021, 0.3])
+        np.testing.assert_array_equal(picture.wide_enough(fine, "auto"), [True, True, True])
+        np.testing.assert_array_equal(picture.wide_enough(coarse, "auto"), [False, False, True, True])
+        np.testing.assert_array_equal(picture.wide_enough(coarse, "0"), [True, True, True, True])
+
+    def test_several_scenes_in_one_picture(self):
+        """Requirement: the figures' pictures of cracks, one below the other, are drawn from the scenes that a run gives."""
+        make_run(self.folder)
+        scenes = [picture.make_scene(io.Run(self.folder), "last", "10", 0.2)[1] for _ in range(2)]
+        out = self.folder / "both.png"
+        figure_parts.crack_pictures([figure_parts.wide(scenes[0], 0.5), scenes[1]], ["wide", "all"], "two", out)
+        np.testing.assert_allclose(scenes[0].value, [0.6, 0.9])
+        self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+
+    def test_title_is_that_of_the_case(self):
+        """Requirement: pictures are headed by the title of the case, or by the folder's name where there is none."""
+        make_run(self.folder)
+        self.assertEqual(io.Run(self.folder).title, self.folder.resolve().name)
+        (self.folder / "run.json").write_text('{"title": "a beam"}')
+        self.assertEqual(io.Run(self.folder).title, "a beam")
 
     def test_side_view_of_a_beam(self):
         """Requirement: from the side, the long axis runs to the right and the up axis upwards, never mirrored."""

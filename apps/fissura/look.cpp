@@ -35,8 +35,11 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   picture_->add_option("--warp", warp_, "Factor on the displacements, or auto");
   picture_->add_option("--up", up_, "Axis that points up: x, y or z")->check(CLI::IsMember({"x", "y", "z"}));
   picture_->add_option("--min-damage", min_damage_, "Joints with less damage are not drawn (default 0.2)");
+  picture_->add_option(
+      "--from", least_,
+      "Cracks narrower than this [mm] are not drawn, or auto: 0.02 mm where the widest is above 0.2 mm");
   picture_->add_flag("--fragments", fragments_, "Draw the pieces instead of the cracks");
-  picture_->add_option("--title", title_, "Default: the name of the run folder");
+  picture_->add_option("--title", title_, "Default: that of the case");
   picture_->add_option("-o,--out", out_, "PNG to write (default: crack.png in the run folder)");
 
   plot_ = app.add_subcommand("plot", "Draw columns of history.csv over each other as a PNG");
@@ -45,7 +48,7 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   plot_->add_option("--y", columns_, "Column; may be given several times")
       ->required()
       ->allow_extra_args(false);
-  plot_->add_option("--title", title_, "Default: the name of the run folder");
+  plot_->add_option("--title", title_, "Default: that of the case");
   plot_->add_flag("--peak", peak_, "Print the largest magnitude of each y");
   plot_->add_option("-o,--out", out_, "PNG to write (default: plot.png in the run folder)");
 
@@ -99,6 +102,8 @@ int LookCommands::picture() const {
                                  up_,
                                  "--min-damage",
                                  fmt::format("{}", min_damage_),
+                                 "--from",
+                                 least_,
                                  "--out",
                                  out_.empty() ? folder_ + "/crack.png" : out_};
   if (fragments_) words.push_back("--fragments");

@@ -27,8 +27,8 @@ class LookCommands {
 
   std::string version_;
   CLI::App *report_, *picture_, *plot_, *compare_, *watch_;
-  std::string folder_, other_, out_, title_, field_ = "opening", time_ = "last", warp_ = "auto", up_ = "z",
-                                             x_ = "time";
+  std::string folder_, other_, out_, title_, field_ = "opening", time_ = "last", warp_ = "auto",
+                                             least_ = "auto", up_ = "z", x_ = "time";
   std::vector<std::string> columns_;
   double tolerance_ = 0.02, every_ = 2, min_damage_ = 0.2;
   bool fragments_ = false, peak_ = false, once_ = false;
