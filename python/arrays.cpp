@@ -46,13 +46,6 @@ py::array per_item(std::vector<double> const& values, py::handle owner) {
   return on(values.data(), {static_cast<py::ssize_t>(values.size())}, {sizeof(double)}, owner);
 }
 
-/// One number of each joint's history.
-py::array per_joint(Model const& m, State const& s, double const state::JointHistory::*number,
-                    py::handle owner) {
-  auto const* first = s.joint_history.data();
-  return on(first ? &(first->*number) : nullptr, {m.joints.count}, {sizeof(state::JointHistory)}, owner);
-}
-
 constexpr View views[] = {
     {"u", "[tet][corner][xyz] displacement [m]",
      [](Model const& m, State const& s, py::handle o) { return nodal(m, s.u, o); }},
@@ -63,16 +56,6 @@ constexpr View views[] = {
     {"joint_status", "[joint] 0 intact, 1 damaged, 2 broken, 3 parting, 4 released",
      [](Model const& m, State const& s, py::handle o) {
        return on(s.joint_status.data(), {m.joints.count}, {1}, o);
-     }},
-    {"kappa", "[joint][point] damage, 0 to 1",
-     [](Model const& m, State const& s, py::handle o) {
-       auto const* first = s.joint_history.data();
-       return on(first ? &first->point[0].kappa : nullptr, {m.joints.count, 3},
-                 {sizeof(state::JointHistory), sizeof(laws::CohesiveHistory)}, o);
-     }},
-    {"time_of_failure", "[joint] 0 = has not failed [s]",
-     [](Model const& m, State const& s, py::handle o) {
-       return per_joint(m, s, &state::JointHistory::time_of_failure, o);
      }},
     {"element_stress", "[bar element] stress [Pa]",
      [](Model const&, State const& s, py::handle o) { return per_item(s.bars.element_stress, o); }},
@@ -118,6 +101,17 @@ template <class Value> py::array per_tet(Model const& m, Value value) {
   return filled(values, {m.tets.count});
 }
 
+/// What the joints remember; zeros for those that never were damaged.
+template <class Value> py::array per_joint(Model const& m, State const& s, py::ssize_t each, Value value) {
+  std::vector<double> values(static_cast<std::size_t>(m.joints.count * each));
+  for (int j = 0; j < m.joints.count; ++j)
+    if (state::status_of(s, j) != state::JointStatus::intact)
+      for (py::ssize_t k = 0; k < each; ++k)
+        values[static_cast<std::size_t>(j * each + k)] =
+            value(s.joint_history.of(static_cast<std::size_t>(j)), static_cast<std::size_t>(k));
+  return filled(values, each == 1 ? Shape{m.joints.count} : Shape{m.joints.count, each});
+}
+
 struct Field {
   char const *name, *doc;
   py::array (*make)(Model const&, State const&);
@@ -144,6 +138,14 @@ constexpr Field fields[] = {
     {"input_id", "[tet] number in the input: ascending",
      [](Model const& m, State const&) {
        return per_tet(m, [&](std::size_t t) { return m.mesh.input_id[t]; });
+     }},
+    {"kappa", "[joint][point] damage, 0 to 1, in the order of the view joint_status",
+     [](Model const& m, State const& s) {
+       return per_joint(m, s, 3, [](auto const& h, std::size_t q) { return h.point[q].kappa; });
+     }},
+    {"time_of_failure", "[joint] 0 = has not failed [s], in the order of the view joint_status",
+     [](Model const& m, State const& s) {
+       return per_joint(m, s, 1, [](auto const& h, std::size_t) { return h.time_of_failure; });
      }},
     {"fragment", "[tet] number of the connected body",
      [](Model const& m, State const& s) {

@@ -231,8 +231,8 @@ class Refused(Folder):
         self.assertIn("checksum is wrong", self.refusal())
         newest.write_bytes(b"")
         self.assertIn("not a checkpoint", self.refusal())
-        newest.write_bytes(whole[:16] + (2).to_bytes(4, "little") + whole[20:])
-        self.assertIn("has the format 2", self.refusal())
+        newest.write_bytes(whole[:16] + (1000).to_bytes(4, "little") + whole[20:])
+        self.assertIn("has the format 1000", self.refusal())
         newest.write_bytes(whole)
         history = Path(self.run_folder) / "history.csv"
         rows = history.read_bytes()

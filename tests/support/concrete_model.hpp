@@ -95,7 +95,7 @@ inline state::State concrete_state(model::Model const& m) {
   s.u = core::Buffer<double>(4 * node_slots(m));
   s.v = core::Buffer<double>(4 * node_slots(m));
   s.joint_status = core::Buffer<std::uint8_t>(m.joints.blocks() * model::block);
-  s.joint_history = core::Buffer<state::JointHistory>(m.joints.blocks() * model::block);
+  s.joint_history = state::JointHistories(m.joints.blocks() * model::block);
   s.stage_start.assign(m.stages.size(), 0);
   return s;
 }

@@ -119,6 +119,10 @@ std::string_view contents_of(std::string_view bytes, std::string const& path) {
                        "program that wrote it, or a newer one",
                        version, format_version));
   if (version == 0) refuse("this checkpoint has been altered: there is no format 0");
+  if (version < format_version)
+    refuse(fmt::format("this checkpoint has the format {}, this program reads {}: go on with the program that "
+                       "wrote it",
+                       version, format_version));
   if (bytes.size() < head_size + tail_size || bytes.substr(bytes.size() - end_mark.size()) != end_mark)
     refuse("this checkpoint has been cut off, or altered at its end");
   std::size_t const tail = bytes.size() - tail_size;

@@ -1,6 +1,7 @@
 #include "fissura/checkpoint/validate.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <tuple>
 
 #include "fissura/core/finite.hpp"
@@ -16,6 +17,27 @@ bool is_tet(model::Model const& m, int tet) {
 bool statuses_fit(state::State const& s) {
   return std::all_of(s.joint_status.begin(), s.joint_status.end(),
                      [](auto x) { return x <= static_cast<std::uint8_t>(state::JointStatus::released); });
+}
+
+/// Each damaged joint has a lane of its own: the first ones of its group, released joints the last ones.
+bool lanes_fit(state::State const& s) {
+  auto const& h = s.joint_history;
+  for (std::size_t g = 0; g < h.groups(); ++g) {
+    auto const n = state::count_lanes(s, g);
+    std::size_t const first = h.first_of(g), room = h.room(g);
+    std::bitset<state::JointHistories::group> taken;
+    for (std::size_t j = first; j < first + room; ++j) {
+      auto const status = state::status_of(s, static_cast<int>(j));
+      if (status == state::JointStatus::intact) continue;
+      std::size_t const lane = h.lane[j];
+      bool const fits = status == state::JointStatus::released
+                            ? lane < room && lane + static_cast<std::size_t>(n.released) >= room
+                            : lane < static_cast<std::size_t>(n.at_work);
+      if (!fits || taken[lane]) return false;
+      taken[lane] = true;
+    }
+  }
+  return true;
 }
 
 bool pairs_fit(model::Model const& m, std::vector<state::ContactPair> const& pairs) {
@@ -47,6 +69,7 @@ void validate(model::Model const& m, state::State const& s, Loader const& from) 
   if (s.step < 0 || !core::is_finite(s.time)) from.refuse("the time is no time");
   if (s.stage < 0 || s.stage >= static_cast<int>(m.stages.size())) from.refuse("there is no such stage");
   if (!statuses_fit(s)) from.refuse("a joint has an unknown status");
+  if (!lanes_fit(s)) from.refuse("histories of joints do not fit their status");
   if (!pairs_fit(m, s.contact.pairs)) from.refuse("pairs of tets in contact do not fit the mesh");
   if (!touches_fit(m, s.rigid.touch)) from.refuse("points in touch with rigid bodies do not fit the mesh");
   if (!paths_fit(m, s.paths)) from.refuse("a path has no such target");

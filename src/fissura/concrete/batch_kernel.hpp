@@ -12,27 +12,22 @@ inline namespace FISSURA_ISA {
 
 using state::JointBatch;
 
-/// The rows of JointHistory, in packs.
-template <class V> struct HistoryRows {
+/// The rows of a HistoryRows, in packs.
+template <class V> struct HistoryPacks {
   static constexpr int before = 15, lost = 24, handed_over = 27, farthest = 28;
   static constexpr int accounts = lost; ///< from here on the law does not ask
   V row[state::JointHistory::doubles];
 
-  HistoryRows(double const* base, int const* start) {
-    each_four(
-        [&](int first, int const* index) {
-          V four[4];
-          core::load_fours(base, index, four);
-          for (int i = 0; i < 4; ++i) row[first + i] = four[i];
-        },
-        start);
+  HistoryPacks(state::HistoryRows const& from, int lane0) {
+    for (int i = 0; i < state::JointHistory::doubles; ++i) row[i] = core::load<V>(from.row[i].data() + lane0);
   }
-  void store(double* base, int const* start) const {
-    each_four(
-        [&](int first, int const* index) {
-          core::store_fours(base, index, {row[first], row[first + 1], row[first + 2], row[first + 3]});
-        },
-        start);
+  /// Where faces merely open and close, most rows stay what they are: writing them costs more than looking.
+  void store(state::HistoryRows& to, int lane0) const {
+    put(to, lane0, before, lost);
+    put(to, lane0, farthest, farthest + 1);
+    if (!has_changed(to, lane0, 0, before) && !has_changed(to, lane0, lost, handed_over)) return;
+    put(to, lane0, 0, before);
+    put(to, lane0, lost, handed_over);
   }
   /// 0 if all accounts are finite, else not a number.
   V zero_if_finite() const {
@@ -58,12 +53,14 @@ template <class V> struct HistoryRows {
   }
 
  private:
-  template <class Visit> static void each_four(Visit const& visit, int const* start) {
-    for (int first = 0; first < state::JointHistory::doubles; first += 4) {
-      int index[core::lanes<V>];
-      for (int i = 0; i < core::lanes<V>; ++i) index[i] = start[i] + first;
-      visit(first, index);
-    }
+  void put(state::HistoryRows& to, int lane0, int begin, int end) const {
+    for (int i = begin; i < end; ++i) core::store<V>(to.row[i].data() + lane0, row[i]);
+  }
+  bool has_changed(state::HistoryRows const& from, int lane0, int begin, int end) const {
+    auto changed = V(0.0) > V(1.0);
+    for (int i = begin; i < end; ++i)
+      changed = changed || !(row[i] == core::load<V>(from.row[i].data() + lane0)); // a NaN has changed too
+    return core::any(changed);
   }
 };
 static_assert(offsetof(state::JointHistory, last) == 15 * sizeof(double));
@@ -75,6 +72,7 @@ static_assert(offsetof(state::JointHistory, farthest) == 28 * sizeof(double));
 template <class V> struct BatchPack {
   DamagedPass const& pass;
   JointBatch& batch;
+  state::HistoryRows& histories;
   int lane0;
 
   V row(JointBatch::Row const& r) const { return core::load<V>(r.data() + lane0); }
@@ -127,7 +125,7 @@ template <class V> struct BatchPack {
     V const zero(0.0), one(1.0), broken = row(batch.broken);
     auto const f = frame();
     auto const p = law();
-    HistoryRows<V> history(pass.history, batch.history.data() + lane0);
+    HistoryPacks<V> history(histories, lane0);
     // An account that is not finite makes the forces so: nobody has to go round and look (sim/guards.hpp).
     V const weight = row(batch.weight) + history.zero_if_finite();
     V const kept = one - history.row[history.handed_over];
@@ -150,7 +148,7 @@ template <class V> struct BatchPack {
     sums[1] = sums[1] + third * lost.mode_II;
     sums[2] = sums[2] + third * kept * lost.friction;
     history.row[history.farthest] = farthest;
-    history.store(pass.history, batch.history.data() + lane0);
+    history.store(histories, lane0);
     auto const is_damaged = most > zero || broken > zero;
     note(core::choose(is_damaged, one, zero), core::choose(least >= one, one, zero), farthest);
 
@@ -202,9 +200,10 @@ template <class V> struct BatchPack {
   }
 };
 
-template <class V> void act_batch(DamagedPass const& pass, JointBatch& batch) {
+template <class V> void act_batch(DamagedPass const& pass, JointBatch& batch, state::HistoryRows& histories) {
   batch.has_event = false;
-  for (int lane = 0; lane < batch.count; lane += core::lanes<V>) BatchPack<V>{pass, batch, lane}.act();
+  for (int lane = 0; lane < batch.count; lane += core::lanes<V>)
+    BatchPack<V>{pass, batch, histories, lane}.act();
 }
 
 } // namespace FISSURA_ISA

@@ -35,7 +35,7 @@ double damaged_joint_energy(Model const& m, State const& s, int joint) {
   auto const status = static_cast<JointStatus>(s.joint_status[static_cast<std::size_t>(joint)]);
   if (status == JointStatus::released) return 0;
   auto const k = joint_kinematics(m, s, joint);
-  auto const& history = s.joint_history[static_cast<std::size_t>(joint)];
+  auto const history = s.joint_history.of(static_cast<std::size_t>(joint));
   auto const law = laws::with_strength(m.joints.law(joint), state::strength_factor(s, joint));
   double sum = 0;
   for (int q = 0; q < 3; ++q)
@@ -97,7 +97,7 @@ laws::Dissipation joint_dissipation(Model const& m, State const& s) {
   laws::Dissipation sum{};
   for (int j = 0; j < m.joints.count; ++j) {
     if (s.joint_status[j] == 0) continue;
-    auto const& d = s.joint_history[j].dissipated;
+    auto const d = s.joint_history.of(static_cast<std::size_t>(j)).dissipated;
     sum.mode_I += d.mode_I;
     sum.mode_II += d.mode_II;
     sum.friction += d.friction;
@@ -126,7 +126,7 @@ JointCounts count_joints(Model const& m, State const& s) {
     auto const status = static_cast<JointStatus>(s.joint_status[j]);
     if (status == JointStatus::intact) continue;
     ++n.damaged;
-    auto const& point = s.joint_history[j].point;
+    auto const point = s.joint_history.of(static_cast<std::size_t>(j)).point;
     n.cracked += point[0].kappa > 0 && point[1].kappa > 0 && point[2].kappa > 0;
     n.broken += status >= JointStatus::broken;
     n.released += status == JointStatus::released;

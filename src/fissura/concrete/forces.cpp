@@ -14,7 +14,7 @@ using state::TetSums;
 
 namespace {
 
-constexpr std::size_t blocks_per_chunk = 32; // 256 tets or joints: the unit of work and of summation
+constexpr std::size_t blocks_per_chunk = 32;                 // 256 tets: the unit of work and of summation
 constexpr std::size_t doubles_per_block = 16 * model::block; // of a nodal field
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
@@ -66,11 +66,12 @@ void add(TetSums& to, TetSums const& from) {
 void joint_forces(Model const& m, State& s, Scratch& w) {
   JointPass const pass{&m.joints, s.u.data(), w.joints.force.data(), s.joint_status.data()};
   auto const& set = kernels();
-  parallel::for_chunks(m.joints.blocks(), blocks_per_chunk,
-                       [&](std::size_t, std::size_t begin, std::size_t end) {
-                         std::array<int, blocks_per_chunk * model::block> marked;
-                         int const count = set.joint_forces(pass, begin, end, marked.data());
-                         damaged_joints(set, m, s, w.joints, begin, marked.data(), count);
+  constexpr std::size_t group = state::JointHistories::group;
+  parallel::for_chunks(m.joints.blocks(), group / model::block,
+                       [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                         std::array<int, group> fresh;
+                         int const count = set.joint_forces(pass, begin, end, fresh.data());
+                         damaged_joints(set, m, s, w.joints, chunk, fresh.data(), count);
                        });
 }
 

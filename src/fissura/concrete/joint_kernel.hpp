@@ -1,5 +1,5 @@
 #pragma once
-// Joint forces, Eqs. 13 and 17 before any damage; joints with a history are listed for the full law.
+// Joint forces, Eqs. 13 and 17 before any damage; joints that leave that range are listed for the full law.
 // Included only by the files that are compiled per instruction set.
 #include <cstdint>
 #include <cstring>
@@ -67,15 +67,14 @@ inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
   }
 }
 
-/// Which of its joints a pack has to leave to the full law.
+/// Which of its intact joints a pack has to leave to the full law.
 struct MarkedJoints {
   int* list;
   int count = 0;
 
-  /// Without a branch: which joints of a crack's neighbourhood are damaged is beyond prediction.
-  void add_if(bool is_marked, int joint, std::uint8_t status) {
+  void add_if(bool is_marked, int joint) {
     list[count] = joint;
-    count += is_marked & (status != static_cast<std::uint8_t>(state::JointStatus::released));
+    count += is_marked;
   }
 };
 
@@ -84,12 +83,8 @@ inline void joint_pack(JointPass const& pass, std::size_t b, int lane0, MarkedJo
   constexpr int w = core::lanes<V>;
   std::size_t const first = b * model::block + lane0;
   std::uint8_t const* const status = pass.status + first;
-  std::uint8_t any = 0, all = 1;
-  for (int i = 0; i < w; ++i) any |= status[i], all &= status[i] > 0;
-  if (all) {
-    for (int i = 0; i < w; ++i) marked.add_if(true, static_cast<int>(first) + i, status[i]);
-    return;
-  }
+  auto const is_intact = load<V>(status) == V(0.0);
+  if (!core::any(is_intact)) return;
   auto const f = frame_of<V>(pass, b, lane0);
   auto const c = constants_of<V>(*pass.joints, b, lane0);
   auto beyond = V(0.0) > V(1.0);
@@ -101,10 +96,10 @@ inline void joint_pack(JointPass const& pass, std::size_t b, int lane0, MarkedJo
   core::store_nodes<V>(force, 12, c.weight * (t20 + t01));
   core::store_nodes<V>(force + 4, 12, c.weight * (t01 + t12));
   core::store_nodes<V>(force + 8, 12, c.weight * (t12 + t20));
-  if (!any && !core::any(beyond)) [[likely]]
+  beyond = beyond && is_intact;
+  if (!core::any(beyond)) [[likely]]
     return;
-  for (int i = 0; i < w; ++i)
-    marked.add_if((status[i] > 0) | core::lane(beyond, i), static_cast<int>(first) + i, status[i]);
+  for (int i = 0; i < w; ++i) marked.add_if(core::lane(beyond, i), static_cast<int>(first) + i);
 }
 
 /// Energy that undamaged joints hold [J]; leaves out all others.

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/concrete/joint_lanes.hpp"
 
 namespace fissura::concrete {
 
@@ -45,7 +46,9 @@ void append(std::vector<double>& to, laws::CohesiveParams const& p) {
 state::JointSlots make_joint_slots(Model const& m, state::State const& s) {
   std::size_t const joints = m.joints.blocks() * model::block, tets = m.tets.blocks() * model::block;
   state::JointSlots slots;
-  slots.force = core::Buffer<double>(2 * 12 * joints + 16);
+  std::size_t const groups = s.joint_history.groups();
+  slots.joints = joints;
+  slots.force = core::Buffer<double>(slots.nobody(groups));
   slots.place = core::Buffer<int>(12 * tets);
   slots.sign = core::Buffer<float>(4 * tets);
   slots.batches = core::Buffer<state::JointBatch>(m.joints.blocks());
@@ -57,7 +60,13 @@ state::JointSlots make_joint_slots(Model const& m, state::State const& s) {
     if (status == JointStatus::released) continue;
     connect(slots, face.a, face.corner_a, 1, slots.side_a(i)); // tension pulls side a towards b
     connect(slots, face.b, face.corner_b, -1, slots.side_a(i));
-    if (status != JointStatus::intact) separate_sides(m, slots, i);
+    if (status == JointStatus::intact) continue;
+    separate_sides(m, slots, i);
+    fill_lane(m, s, slots, s.joint_history.lane[static_cast<std::size_t>(i)], i);
+  }
+  for (std::size_t g = 0; g < groups; ++g) {
+    slots.lanes.push_back(state::count_lanes(s, g));
+    set_taken(slots, g, slots.lanes[g].at_work);
   }
   return slots;
 }

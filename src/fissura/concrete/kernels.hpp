@@ -20,7 +20,6 @@ struct JointPass {
 struct DamagedPass {
   double const* u;
   double const* laws;
-  double* history;
   double* force;
 };
 
@@ -42,10 +41,11 @@ struct TetPass {
 /// One set of kernels per instruction set; [begin, end) are blocks.
 struct KernelSet {
   std::string_view name; ///< "x86-64-v2", "x86-64-v3", "x86-64-v4", or "scalar" (the oracle)
-  /// Lists the joints that have a history or leave the undamaged range, and returns their number.
+  /// Lists the intact joints that leave the undamaged range, and returns their number.
   int (*joint_forces)(JointPass const&, std::size_t begin, std::size_t end, int* marked);
   double (*intact_joint_energy)(JointPass const&, std::size_t begin, std::size_t end); ///< [J]
-  void (*act_batch)(DamagedPass const&, state::JointBatch&);                           ///< their full law
+  void (*act_batch)(DamagedPass const&, state::JointBatch&,
+                    state::HistoryRows&); ///< the full law of damaged joints
   state::TetSums (*tet_forces)(TetPass const&, std::size_t begin, std::size_t end);
 };
 

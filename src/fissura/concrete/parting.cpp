@@ -57,7 +57,7 @@ double handed_over(model::Joint const& joint, JointKinematics const& k) {
 void break_at_hinge(Model const& m, State& s, int joint, JointKinematics const& now) {
   auto const& j = m.joints.joints[joint];
   if (!(faces_turned(j, now) < 0.5)) return;
-  auto& history = s.joint_history[joint];
+  auto history = s.joint_history.of(static_cast<std::size_t>(joint));
   auto const law = laws::with_strength(m.joints.law(joint), state::strength_factor(s, joint));
   for (int q = 0; q < 3; ++q) {
     auto& point = history.point[q];
@@ -75,11 +75,12 @@ void break_at_hinge(Model const& m, State& s, int joint, JointKinematics const& 
     history.dissipated.mode_I += opening - held(last, broken); // pressed faces keep what pressure holds
     point = broken;
   }
+  s.joint_history.set(static_cast<std::size_t>(joint), history);
 }
 
 void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) {
   auto const& j = m.joints.joints[joint];
-  auto& history = s.joint_history[joint];
+  auto history = s.joint_history.of(static_cast<std::size_t>(joint));
   double const share = std::max(history.handed_over, handed_over(j, now));
   if (share <= history.handed_over) return;
   if (share < 1 && !m.source.contact.on) return; // nobody there to take it
@@ -88,6 +89,7 @@ void hand_over(Model const& m, State& s, int joint, JointKinematics const& now) 
         (share - history.handed_over) * j.area / 3 *
         laws::cohesive_stored(m.joints.law(joint), history.point[q], history.last[q], true);
   history.handed_over = share;
+  s.joint_history.set(static_cast<std::size_t>(joint), history);
   bool const was_whole = s.joint_status[joint] == static_cast<std::uint8_t>(JointStatus::broken);
   s.joint_status[joint] = static_cast<std::uint8_t>(share < 1 ? JointStatus::parting : JointStatus::released);
   if (!was_whole) return; // contact sees it already

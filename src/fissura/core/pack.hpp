@@ -5,6 +5,7 @@
 //
 // Everything that is compiled per instruction set lives in an inline namespace named after it, so the linker
 // can never exchange an AVX function for a baseline one.
+#include <cstdint>
 #include <experimental/simd>
 
 #if defined(__AVX2__) || defined(__AVX512F__) || defined(__SSE2__)
@@ -37,6 +38,12 @@ template <class V> inline V load(double const* p) {
     return V(p, stdx::element_aligned);
 }
 template <class V> inline V load(float const* p) {
+  if constexpr (std::is_same_v<V, double>)
+    return *p;
+  else
+    return V(p, stdx::element_aligned);
+}
+template <class V> inline V load(std::uint8_t const* p) {
   if constexpr (std::is_same_v<V, double>)
     return *p;
   else

@@ -69,7 +69,7 @@ Grid crack_grid(Model const& m, State const& s) {
     auto const status = static_cast<state::JointStatus>(s.joint_status[j]);
     if (status == state::JointStatus::intact) continue;
     auto const& joint = m.joints.joints[j];
-    auto const& history = s.joint_history[j];
+    auto const history = s.joint_history.of(static_cast<std::size_t>(j));
     for (int k = 0; k < 3; ++k) {
       g.points.push_back(at_node(m.position, joint.node_a[k]));
       append(displacement, 0.5 * (at_node(s.u, joint.node_a[k]) + at_node(s.u, joint.node_b[k])));

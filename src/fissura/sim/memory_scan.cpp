@@ -1,6 +1,4 @@
 // Every number of the state outside of the nodes, field by field, through one list.
-#include <algorithm>
-#include <array>
 #include <cstring>
 #include <fmt/core.h>
 
@@ -15,7 +13,7 @@ using state::State;
 
 namespace {
 
-constexpr std::size_t joints_per_chunk = 4096;
+constexpr std::size_t blocks_per_chunk = 512; // of joints
 
 template <class... Numbers> bool finite(Numbers... x) {
   double const list[] = {x...};
@@ -31,7 +29,7 @@ bool finite(std::vector<double> const& v) {
 // ---- joints -------------------------------------------------------------------------------------
 
 /// The accounts of a damaged joint. Its points and last separations need no look: a number there that is not
-/// finite makes the tractions so in the next step, or is overwritten. One cache line instead of four.
+/// finite makes the tractions so in the next step, or is overwritten.
 bool finite(state::JointHistory const& h) {
   return finite(h.dissipated.mode_I, h.dissipated.mode_II, h.dissipated.friction, h.handed_over, h.farthest,
                 h.time_of_failure);
@@ -41,48 +39,28 @@ bool finite(state::JointHistory const& h) {
 enum class Look : std::uint8_t { at_all_damaged = 7, at_released = 4 };
 static_assert(static_cast<int>(state::JointStatus::released) == 4);
 
-/// Joints to look at among the next ones, at most `size` of them.
-struct Listed {
-  static constexpr std::size_t size = 8 * model::block;
-  std::array<std::size_t, size> joint;
-  std::size_t count = 0;
+/// Whether a joint of a block is worth a look; the status is padded to blocks.
+bool has_any(State const& s, std::size_t block, std::uint8_t bits) {
+  std::uint64_t eight = 0;
+  static_assert(sizeof eight == model::block);
+  std::memcpy(&eight, s.joint_status.data() + block * model::block, sizeof eight);
+  return (eight & (bits * 0x0101010101010101U)) != 0;
+}
 
-  /// Those of [begin, end), a range of whole blocks (the status is padded). Without a branch per joint, which
-  /// no processor could guess; their histories lie far apart, so each is sent for at once.
-  Listed(State const& s, Look look, std::size_t begin, std::size_t end) {
-    auto const bits = static_cast<std::uint8_t>(look);
-    std::uint64_t const in_each = bits * 0x0101010101010101U;
-    for (std::size_t j = begin; j < end; j += model::block) {
-      std::uint64_t eight = 0;
-      std::memcpy(&eight, s.joint_status.data() + j, sizeof eight);
-      if ((eight & in_each) == 0) continue;
-      for (std::size_t i = j; i < j + model::block; ++i) {
-        joint[count] = i;
-        count += (s.joint_status[i] & bits) != 0;
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(&s.joint_history[joint[i]].dissipated);
-  }
-};
-
-bool joints_are_finite(Model const& m, State const& s, Look look) {
-  std::size_t const padded = m.joints.blocks() * model::block;
-  int const bad =
-      parallel::sum_chunks<int>(padded, joints_per_chunk, [&](std::size_t begin, std::size_t end) {
+bool joints_are_finite(State const& s, Look look) {
+  auto const bits = static_cast<std::uint8_t>(look);
+  int const bad = parallel::sum_chunks<int>(
+      s.joint_status.size() / model::block, blocks_per_chunk, [&](std::size_t begin, std::size_t end) {
         bool found = false;
-        Listed here(s, look, begin, std::min(begin + Listed::size, end));
-        for (std::size_t j = begin; j < end;
-             j += Listed::size) { // one group is checked while the next is on its way
-          std::size_t const next = std::min(j + Listed::size, end);
-          Listed const ahead(s, look, next, std::min(next + Listed::size, end));
-          for (std::size_t i = 0; i < here.count; ++i) found |= !finite(s.joint_history[here.joint[i]]);
-          here = ahead;
+        for (std::size_t b = begin; b < end; ++b) {
+          if (!has_any(s, b, bits)) continue;
+          for (std::size_t j = b * model::block; j < (b + 1) * model::block; ++j)
+            if ((s.joint_status[j] & bits) != 0) found |= !finite(s.joint_history.of(j));
         }
-        if (s.joint_rate.size() > 0)
-          for (std::size_t j = begin; j < end; ++j) {
-            auto const& r = s.joint_rate[j];
-            found |= !finite(r.sum[0], r.sum[1], r.sum[2], r.weight, r.excess);
-          }
+        for (std::size_t j = begin * model::block; j < end * model::block && !s.joint_rate.empty(); ++j) {
+          auto const& r = s.joint_rate[j];
+          found |= !finite(r.sum[0], r.sum[1], r.sum[2], r.weight, r.excess);
+        }
         return static_cast<int>(found);
       });
   return bad == 0;
@@ -91,7 +69,7 @@ bool joints_are_finite(Model const& m, State const& s, Look look) {
 std::optional<Spot> find_in_joints(Model const& m, State const& s) {
   std::optional<Spot> spot;
   for (std::size_t j = 0; !spot && j < static_cast<std::size_t>(m.joints.count); ++j)
-    if (s.joint_status[j] != 0 && !finite(s.joint_history[j]))
+    if (s.joint_status[j] != 0 && !finite(s.joint_history.of(j)))
       spot = joint_spot(m, static_cast<int>(j), "history");
   for (std::size_t j = 0; !spot && j < s.joint_rate.size(); ++j) {
     auto const& r = s.joint_rate[j];
@@ -208,11 +186,11 @@ std::optional<Spot> find_in_ledger(State const& s) {
 } // namespace
 
 bool memory_is_finite(Model const& m, State const& s) {
-  return idle_memory_is_finite(m, s) && joints_are_finite(m, s, Look::at_all_damaged);
+  return idle_memory_is_finite(m, s) && joints_are_finite(s, Look::at_all_damaged);
 }
 
 bool idle_memory_is_finite(Model const& m, State const& s) {
-  return joints_are_finite(m, s, Look::at_released) && bars_are_finite(s) && !find_in_contact(m, s) &&
+  return joints_are_finite(s, Look::at_released) && bars_are_finite(s) && !find_in_contact(m, s) &&
          !find_in_loads(m, s) && !find_in_ledger(s);
 }
 

@@ -37,7 +37,8 @@ std::uint64_t joint_hash(Model const& m, State const& s, int j) {
   if (s.joint_status[j] == 0) return 0;
   auto const& f = m.adjacency.shared[m.joints.joints[j].shared_face];
   double kappa[4] = {static_cast<double>(s.joint_status[j])};
-  for (int q = 0; q < 3; ++q) kappa[q + 1] = s.joint_history[j].point[q].kappa;
+  auto const history = s.joint_history.of(static_cast<std::size_t>(j));
+  for (int q = 0; q < 3; ++q) kappa[q + 1] = history.point[q].kappa;
   std::sort(kappa + 1, kappa + 4);
   std::uint64_t const a = input(m, f.a.tet), b = input(m, f.b.tet);
   return core::hash_bytes(kappa, sizeof kappa, std::min(a, b) << 32 | std::max(a, b));

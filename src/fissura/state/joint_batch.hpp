@@ -1,25 +1,25 @@
 #pragma once
-// Damaged joints on their way through the full law, eight side by side.
+// What the full law asks of damaged joints beside their histories, eight side by side.
 #include <array>
 
 #include "fissura/model/blocks.hpp"
 
 namespace fissura::state {
 
-/// Stays as it is from step to step while its joints do, so that nothing has to be collected anew.
+/// The lanes of one HistoryRows. They stay as they are from step to step; only what has just happened to a
+/// joint changes them.
 struct alignas(64) JointBatch {
   static constexpr int width = model::block;
   using Row = std::array<double, width>;
   using Starts = std::array<int, width>; ///< where the data of each joint start, in doubles
 
-  int count;     ///< joints in the batch; the lanes behind them repeat the last one
-  bool is_ready; ///< all rows hold for the next step too if the joints are the same
+  int count;       ///< joints in the batch; the lanes behind them are idle
+  bool needs_care; ///< something that is rare has to be done to a joint in each step
   bool has_one_law;
   bool has_event; ///< result: some joint has got its first damage, failed, or moved far
   std::array<int, width> joint;
   std::array<Starts, 6> node;                   ///< a0 a1 a2 b0 b1 b2 in nodal arrays
   std::array<std::array<float, width>, 6> edge; ///< reference edges 0->1, 0->2 [m]
-  Starts history;                               ///< in State::joint_history
   Starts force_a, force_b;                      ///< in JointSlots::force
   Starts law;                                   ///< in JointSlots::laws
   Row k, per_k, weight;                         ///< [Pa/m]; [m/Pa]; area/6 [m2]

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "fissura/core/buffer.hpp"
-#include "fissura/laws/cohesive.hpp"
 #include "fissura/state/bar_state.hpp"
 #include "fissura/state/contact_state.hpp"
 #include "fissura/state/joint_batch.hpp"
+#include "fissura/state/joint_history.hpp"
 #include "fissura/state/overlay.hpp"
 #include "fissura/state/rigid_state.hpp"
 
@@ -17,20 +17,6 @@ namespace fissura::state {
 /// What has become of a joint. A broken one is a crack-face pair: it carries compression and friction. A
 /// parting one has slid so far that it hands its load over to contact; a released one carries nothing.
 enum class JointStatus : std::uint8_t { intact = 0, damaged = 1, broken = 2, parting = 3, released = 4 };
-
-/// Doubles and nothing else: packs read and write it as rows of four (concrete/batch_kernel.hpp).
-struct alignas(32) JointHistory {
-  std::array<laws::CohesiveHistory, 3> point{}; ///< at the mid-edges 01, 12, 20
-  std::array<laws::Separation, 3> last{};       ///< separations one step ago, once the joint is damaged
-  laws::Dissipation dissipated{};               ///< [J]
-  double handed_over = 0;                       ///< share of the pair's load that is left to contact, 0 ... 1
-  double farthest = 0;                          ///< largest squared distance between the nodes of a pair [m2]
-  double time_of_failure = 0;                   ///< [s]; 0 = not failed
-  std::array<double, 2> spare{};
-
-  static constexpr int doubles = 32;
-};
-static_assert(sizeof(JointHistory) == JointHistory::doubles * sizeof(double));
 
 /// Strain rate at a joint whose strength depends on it, while it is stressed beyond half of its strength.
 struct JointRate {
@@ -65,14 +51,14 @@ struct State {
   /// Time of the loads, `ahead` seconds after now: with pace control (sim/pace.hpp) it runs faster than time.
   double load_time(double ahead = 0) const { return time + lead + pace * ahead; }
 
-  long step = 0;                            ///< completed steps: u is at step * dt
-  double time = 0;                          ///< [s]
-  int stage = 0;                            ///< current stage
-  core::Buffer<double> u;                   ///< [node][4] displacements at step n [m]
-  core::Buffer<double> v;                   ///< [node][4] velocities at n - 1/2 [m/s]
-  core::Buffer<std::uint8_t> joint_status;  ///< JointStatus, padded to blocks
-  core::Buffer<JointHistory> joint_history; ///< untouched pages cost nothing
-  core::Buffer<JointRate> joint_rate;       ///< empty unless some strength depends on the strain rate
+  long step = 0;                           ///< completed steps: u is at step * dt
+  double time = 0;                         ///< [s]
+  int stage = 0;                           ///< current stage
+  core::Buffer<double> u;                  ///< [node][4] displacements at step n [m]
+  core::Buffer<double> v;                  ///< [node][4] velocities at n - 1/2 [m/s]
+  core::Buffer<std::uint8_t> joint_status; ///< JointStatus, padded to blocks
+  JointHistories joint_history;
+  core::Buffer<JointRate> joint_rate; ///< empty unless some strength depends on the strain rate
   BarState bars;
   RigidState rigid;
   ContactState contact;
@@ -93,22 +79,31 @@ struct TetSums {
   double kinetic = 0;                    ///< [J] at step n
 };
 
+/// How many lanes of a group of joints are taken: at its front, and at its far end.
+struct LaneCounts {
+  int at_work = 0, released = 0;
+};
+
 /// The forces of the joints, and where each tet finds those of its faces. A joint has one slot, which its
 /// side b takes with the opposite sign; once it is damaged side b has a slot of its own
 /// (concrete::separate_sides).
 struct JointSlots {
-  core::Buffer<double> force; ///< [joint][3][4] side a; 16 zeros; [joint][3][4] side b of damaged joints [N]
-  core::Buffer<int> place;    ///< [block][12][8] face by face, corner by corner: where its force starts
-  core::Buffer<float> sign;   ///< [block][4][8] +1, -1, 0 per face
-  std::vector<double> laws;   ///< those that occur, in the order of state/joint_batch.hpp
-  core::Buffer<JointBatch>
-      batches; ///< per block of joints: room for its damaged ones; untouched pages cost nothing
+  std::size_t joints = 0;           ///< padded to blocks
+  core::Buffer<double> force;       ///< slots of 12 as below: [3][4] [N]
+  core::Buffer<int> place;          ///< [block][12][8] face by face, corner by corner: where its force starts
+  core::Buffer<float> sign;         ///< [block][4][8] +1, -1, 0 per face
+  std::vector<double> laws;         ///< those that occur, in the order of state/joint_batch.hpp
+  std::vector<LaneCounts> lanes;    ///< per group of JointHistories
+  core::Buffer<JointBatch> batches; ///< as JointHistories::rows
 
-  std::size_t zeros() const { return force.size() / 2 - 8; }
   /// Where the force on side a of a joint starts.
   std::size_t side_a(int joint) const { return 12 * static_cast<std::size_t>(joint); }
   /// Where the force on side b of a damaged joint starts.
-  std::size_t side_b(int joint) const { return force.size() / 2 + 8 + 12 * static_cast<std::size_t>(joint); }
+  std::size_t side_b(int joint) const { return 12 * (joints + static_cast<std::size_t>(joint)); }
+  /// What released joints exert.
+  std::size_t zeros() const { return 24 * joints; }
+  /// Where idle lanes of a group put their forces: nobody reads them.
+  std::size_t nobody(std::size_t in_group) const { return zeros() + 16 * (1 + in_group); }
 };
 
 struct Scratch {
@@ -121,6 +116,26 @@ struct Scratch {
   std::vector<TetSums> tet_sums;     ///< per chunk
   std::vector<Vec3> velocity_before; ///< per patch of Model::absorbing: at n - 1/2 [m/s]
 };
+
+inline JointStatus status_of(State const& s, int joint) {
+  return static_cast<JointStatus>(s.joint_status[static_cast<std::size_t>(joint)]);
+}
+inline void set_status(State& s, int joint, JointStatus status) {
+  s.joint_status[static_cast<std::size_t>(joint)] = static_cast<std::uint8_t>(status);
+}
+
+/// How many lanes the joints of a group take, by their status.
+inline LaneCounts count_lanes(State const& s, std::size_t group) {
+  LaneCounts n;
+  int const first = static_cast<int>(JointHistories::first_of(group)),
+            end = first + static_cast<int>(s.joint_history.room(group));
+  for (int j = first; j < end; ++j) {
+    auto const status = status_of(s, j);
+    n.at_work += status != JointStatus::intact && status != JointStatus::released;
+    n.released += status == JointStatus::released;
+  }
+  return n;
+}
 
 /// Factor by which the strain rate raises the strengths of a joint.
 inline double strength_factor(State const& s, int joint) {

@@ -92,7 +92,7 @@ State make_state(Model const& m) {
   s.u = core::Buffer<double>(4 * nodes);
   s.v = core::Buffer<double>(4 * nodes);
   s.joint_status = core::Buffer<std::uint8_t>(joints);
-  s.joint_history = core::Buffer<state::JointHistory>(joints);
+  s.joint_history = state::JointHistories(joints);
   if (m.joints.any_rate) s.joint_rate = core::Buffer<state::JointRate>(joints);
   s.bars = rebar::make_bar_state(m.bars);
   s.reaction.assign(m.prescribed.size(), 0);

@@ -83,6 +83,13 @@ std::size_t first_activated(state::State const& s) {
   return j;
 }
 
+/// The k-th number of a damaged joint's history.
+double* history_number(state::State& s, std::size_t joint, int k) {
+  constexpr auto group = state::JointHistories::group;
+  std::size_t const place = joint / group * group + s.joint_history.lane[joint];
+  return &s.joint_history.rows[place / model::block].row[static_cast<std::size_t>(k)][place % model::block];
+}
+
 struct Plant {
   std::string name;
   std::function<double*(state::State&)> number;
@@ -106,12 +113,12 @@ std::vector<Plant> all_fields() {
   }
   for (int k = 0; k < state::JointHistory::doubles; ++k)
     add("joint_history_" + std::to_string(k),
-        [k](State& s) { return reinterpret_cast<double*>(&s.joint_history[first_damaged(s)]) + k; });
+        [k](State& s) { return history_number(s, first_damaged(s), k); });
   for (int k = 0; k < state::JointHistory::doubles; ++k)
     add("broken_history_" + std::to_string(k), [k](State& s) {
       std::size_t j = 0;
       while (s.joint_status[j] != static_cast<std::uint8_t>(state::JointStatus::broken)) ++j;
-      return reinterpret_cast<double*>(&s.joint_history[j]) + k;
+      return history_number(s, j, k);
     });
   add("joint_rate_sum", [](State& s) { return &s.joint_rate[5].sum[1]; });
   add("joint_rate_weight", [](State& s) { return &s.joint_rate[5].weight; });
@@ -280,11 +287,12 @@ TEST(Guards, name_the_tet_where_it_began) {
 TEST(Guards, name_joints_and_bars) {
   auto const x = scene();
   auto const j = first_damaged(x->s);
-  x->s.joint_history[j].time_of_failure = nan;
+  double& time_of_failure = *history_number(x->s, j, 29);
+  time_of_failure = nan;
   auto spot = sim::find_non_finite_memory(x->m, x->s);
   ASSERT_TRUE(spot);
   EXPECT_EQ(sim::describe(*spot).find("the history of joint " + std::to_string(j) + " between tets "), 0u);
-  x->s.joint_history[j].time_of_failure = 0;
+  time_of_failure = 0;
   x->s.bars.account[2].dowel = nan;
   spot = sim::find_non_finite_memory(x->m, x->s);
   ASSERT_TRUE(spot);

@@ -38,7 +38,7 @@ inline state::State state_at_random(unsigned seed) {
   state::State s;
   s.u = core::Buffer<double>(64), s.v = core::Buffer<double>(64);
   s.joint_status = core::Buffer<std::uint8_t>(8);
-  s.joint_history = core::Buffer<state::JointHistory>(8);
+  s.joint_history = state::JointHistories(8);
   s.joint_rate = core::Buffer<state::JointRate>(8);
   auto& b = s.bars;
   b.elongation.resize(5), b.element_stress.resize(5);

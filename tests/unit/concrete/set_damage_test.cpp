@@ -16,7 +16,7 @@ TEST(SetDamage, makes_damaged_and_broken_joints) {
   auto const n = concrete::count_joints(m, s);
   EXPECT_EQ(n.damaged, 2);
   EXPECT_EQ(n.broken, 1);
-  EXPECT_EQ(s.joint_history[0].point[2].z, laws::softening(0.3));
+  EXPECT_EQ(s.joint_history.of(0).point[2].z, laws::softening(0.3));
   EXPECT_EQ(concrete::joint_energy(m, s), 0);
   state::Scratch w;
   w.joints = concrete::make_joint_slots(m, s);
