@@ -94,6 +94,20 @@ def round_factor(value):
     return max(m * power for m in (1, 2, 5) if m * power <= value)
 
 
+def natural_warp(sizes, length):
+    """Factor that shows the body's displacements as 5 % of its length, and fragments in flight within a quarter of it."""
+    usual, largest = np.percentile(sizes, 99), sizes.max()
+    return round_factor(min(0.05 * length / usual, 0.25 * length / largest)) if usual > 0 else 1.0
+
+
+def is_gap(corners, drawn, opening):
+    """Room between pieces, not a crack: faces that have parted by more than half the mean edge of their triangle, or whose
+    triangle, halfway between two pieces that turn, would be drawn half as large again."""
+    def edge(triangles):
+        return np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).mean(axis=1)
+    return (opening > 0.5 * edge(corners)) | (edge(drawn) > 1.5 * edge(corners))
+
+
 def displacement_at(grid, fields, by_position):
     """Displacement of a grid's points: its own, or that of the body's corners at the same place."""
     if "displacement" in grid.point_data:
@@ -126,8 +140,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
     moved = fields.point_data.get("displacement", np.zeros_like(fields.points))
     extent = np.ptp(fields.points, axis=0)
     if warp == "auto":
-        largest = np.percentile(np.linalg.norm(moved, axis=1), 99) # fragments in flight do not count
-        warp = round_factor(0.05 * extent.max() / largest) if largest > 0 else 1.0
+        warp = natural_warp(np.linalg.norm(moved, axis=1), extent.max())
     warp = float(warp)
     at = {p.tobytes(): u for p, u in zip(fields.points + 0.0, moved)}
 
@@ -143,8 +156,10 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
         grid = io.read_vtu(part)
         triangles, which = grid.cells(io.TRIANGLE)
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
-        shown = (damage >= minimum_damage) & wide_enough(1e3 * grid.cell_data["opening"][which], least)
-        scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
+        opening = grid.cell_data["opening"][which]
+        drawn = deformed(grid)[triangles]
+        shown = (damage >= minimum_damage) & wide_enough(1e3 * opening, least) & ~is_gap(grid.points[triangles], drawn, opening)
+        scene.cracks = np.concatenate([scene.cracks, drawn[shown]])
         scene.value = np.append(scene.value, factor * grid.cell_data[colour_by][which][shown])
     for part in run.frame("bars", moment)[1]:
         grid = io.read_vtu(part)

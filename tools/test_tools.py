@@ -180,6 +180,18 @@ class Picture(WithFolder):
         np.testing.assert_array_equal(picture.wide_enough(coarse, "auto"), [False, False, True, True])
         np.testing.assert_array_equal(picture.wide_enough(coarse, "0"), [True, True, True, True])
 
+    def test_pieces_in_flight(self):
+        """Requirement: fragments in flight do not shrink the factor of the displacements unless they would leave the picture; the
+        room between them is not drawn as a crack."""
+        sizes = np.full(1000, 0.001)
+        self.assertEqual(picture.natural_warp(sizes, 1.0), 50)
+        sizes[0] = 0.05
+        self.assertEqual(picture.natural_warp(sizes, 1.0), 5)
+        self.assertEqual(picture.natural_warp(np.zeros(3), 1.0), 1)
+        triangle = np.array([[[0.0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]]])
+        for drawn, opening, gap in ((triangle, 0.01, False), (triangle, 0.1, True), (2 * triangle, 0.01, True)):
+            self.assertEqual(picture.is_gap(triangle, drawn, np.array([opening]))[0], gap)
+
     def test_several_scenes_in_one_picture(self):
         """Requirement: the figures' pictures of cracks, one below the other, are drawn from the scenes that a run gives."""
         make_run(self.folder)

@@ -38,6 +38,12 @@ function deform(out, points, u, factor, count = points.length) {
   for (let i = 0; i < count; ++i) out[i] = points[i] + factor * u[i];
 }
 
+/** Mean edge of the triangle whose nine numbers begin at `i`. */
+function meanEdge(p, i) {
+  const edge = (a, b) => Math.hypot(p[a] - p[b], p[a + 1] - p[b + 1], p[a + 2] - p[b + 2]);
+  return (edge(i, i + 3) + edge(i + 3, i + 6) + edge(i + 6, i)) / 3;
+}
+
 /** Edges of the undeformed body where it bends sharply, as pairs of its points. */
 function featureEdges(points, triangles, count) {
   const key = (p) => `${points[3 * p]},${points[3 * p + 1]},${points[3 * p + 2]}`;
@@ -113,14 +119,16 @@ export class View {
     return out;
   }
 
-  /** The next lower 1, 2 or 5 times a power of ten that shows the movement of the frame as 5 % of the body. */
+  /** The next lower 1, 2 or 5 times a power of ten that shows the movement of the frame as 5 % of the body, and pieces in
+   * flight within a quarter of it. */
   naturalScale(frame = this.frame) {
     const u = this.displacement("body", frame);
     const sizes = [];
     for (let i = 0; i < u.length; i += 3) sizes.push(Math.hypot(u[i], u[i + 1], u[i + 2]));
     sizes.sort((a, b) => a - b);
-    const largest = sizes[Math.floor(0.99 * (sizes.length - 1))] ?? 0; // fragments in flight do not count
-    const wanted = largest > 0 ? (0.05 * Math.max(this.extent.x, this.extent.y, this.extent.z)) / largest : 1;
+    const usual = sizes[Math.floor(0.99 * (sizes.length - 1))] ?? 0, largest = sizes.at(-1);
+    const length = Math.max(this.extent.x, this.extent.y, this.extent.z);
+    const wanted = usual > 0 ? Math.min((0.05 * length) / usual, (0.25 * length) / largest) : 1;
     if (!(wanted > 1)) return 1;
     const power = 10 ** Math.floor(Math.log10(wanted));
     return Math.max(...[1, 2, 5].map((m) => m * power).filter((v) => v <= wanted));
@@ -179,8 +187,12 @@ export class View {
     group.add(faces, lines);
     this.scene.add(group);
     let largest = 0;
-    for (let f = 0; f < this.times.length; ++f) largest = Math.max(largest, this.meta.cracks.opening[f] * 32767);
-    this.cracks = { points, group, geometry, outline, mode: n.get("cracks/mode"), failed: n.get("cracks/failed"), shown: n.get("cracks/shown"), largest };
+    const edge = Float32Array.from({ length: joints }, (_, j) => meanEdge(points, 9 * j));
+    for (let f = 0; f < this.times.length; ++f) {
+      const opening = n.get(`cracks/opening/${f}`), scale = this.meta.cracks.opening[f];
+      for (let j = 0; j < joints; ++j) if (opening[j] * scale <= 0.5 * edge[j]) largest = Math.max(largest, opening[j] * scale);
+    }
+    this.cracks = { points, edge, group, geometry, outline, mode: n.get("cracks/mode"), failed: n.get("cracks/failed"), shown: n.get("cracks/shown"), largest };
   }
 
   makeBars() {
@@ -299,11 +311,12 @@ export class View {
     let n = 0;
     for (let j = 0; j < shown; ++j) {
       const width = opening[j] * scale;
-      if (width < options.least) continue;
+      if (width < options.least || width > 0.5 * cracks.edge[j]) continue; // faces that far apart: room between pieces
       const rgb = options.cracks === "mode" ? linear(modeColour(cracks.mode[j]))
         : options.cracks === "time" ? crackTable.at(1 - (cracks.failed[j] > 0 ? cracks.failed[j] : end) / end)
         : crackTable.at(this.crackShare(width));
       for (let k = 0; k < 9; ++k) position.array[9 * n + k] = cracks.points[9 * j + k] + options.scale * u[9 * j + k];
+      if (meanEdge(position.array, 9 * n) > 1.5 * cracks.edge[j]) continue; // halfway between two pieces that turn: no crack either
       for (let k = 0; k < 9; ++k) colour.array[9 * n + k] = rgb[k % 3];
       ++n;
     }

@@ -77,12 +77,25 @@ void Cracks::finish() {
   number_.clear();
 }
 
+namespace {
+
+/// Mean edge [m] of a joint's triangle.
+double mean_edge(float const* p) {
+  auto const edge = [p](int a, int b) {
+    return std::hypot(p[3 * a] - p[3 * b], p[3 * a + 1] - p[3 * b + 1], p[3 * a + 2] - p[3 * b + 2]);
+  };
+  return (edge(0, 1) + edge(1, 2) + edge(2, 0)) / 3;
+}
+
+} // namespace
+
 std::vector<CrackRow> crack_table(Cracks const& cracks, std::vector<double> const& times, double distance,
                                   std::size_t rows) {
   std::vector<CrackRow> all(cracks.size());
   for (std::size_t j = 0; j < all.size(); ++j) {
     CrackRow& r = all[j];
     for (std::size_t k = 0; k < 9; ++k) r.place[k % 3] += cracks.points[9 * j + k] / 3;
+    double const gap = gap_opening * mean_edge(&cracks.points[9 * j]);
     for (std::size_t n = 0; n < cracks.frames.size(); ++n)
       if (double const o = cracks.frames[n].opening[j]; o > r.largest)
         r.largest = o, r.time_of_largest = times[n];
@@ -90,7 +103,9 @@ std::vector<CrackRow> crack_table(Cracks const& cracks, std::vector<double> cons
     r.sliding = cracks.frames.back().sliding[j];
     r.time_of_failure = cracks.time_of_failure[j];
     r.mode = cracks.mode[j];
+    if (r.largest > gap) r.largest = 0;
   }
+  std::erase_if(all, [](CrackRow const& r) { return r.largest == 0; });
   std::stable_sort(all.begin(), all.end(),
                    [](auto const& a, auto const& b) { return a.largest > b.largest; });
   std::vector<CrackRow> table;

@@ -13,6 +13,10 @@ namespace fissura::report {
 /// A joint with this much damage (mean over its points) or more counts as a crack in pictures and tables.
 inline constexpr float shown_damage = 0.2F;
 
+/// Faces further apart than this share of the mean edge of their triangle are room between pieces, not a
+/// crack.
+inline constexpr double gap_opening = 0.5;
+
 /// What one frame says about the joints, in the order of Cracks::joints.
 struct CrackFrame {
   std::vector<float> opening, sliding, damage; ///< [m], [m], [-]; 0 for joints not yet damaged

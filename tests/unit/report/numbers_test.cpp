@@ -152,6 +152,17 @@ TEST(Cracks, TableNamesTheWidestPlaces) {
   EXPECT_EQ(crack_table(c, {0.01, 0.02}, 0.01, 2).size(), 2u);
 }
 
+// Requirement: faces that have flown apart are no crack: the table leaves them out.
+TEST(Cracks, TableLeavesOutRoomBetweenPieces) {
+  TemporaryFolder const t;
+  Cracks c;
+  c.take(file_of(t, testing::joints({0, 0.5}, {1e-4F, 9.0F}, 0.9F)));
+  c.finish();
+  auto const table = crack_table(c, {0.01}, 0.2, 10);
+  ASSERT_EQ(table.size(), 1u);
+  EXPECT_NEAR(table[0].largest, 1e-4, 1e-9);
+}
+
 // Requirement: places along a bar are lengths from its first end, for elements and joints alike.
 TEST(Bars, MeasuresAlongTheBar) {
   TemporaryFolder const t;
