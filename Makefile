@@ -77,7 +77,8 @@ demo: setup-demo build
 	$(PROGRAM) run examples/00_demo_beam/case.toml --out runs/demo --force
 	$(PROGRAM) plot runs/demo --x deflection --y load --peak -o runs/demo/load_deflection.png
 	$(PROGRAM) picture runs/demo -o runs/demo/crack.png
-	@echo "run folder: runs/demo; open runs/demo/report.html in a browser"
+	@if [ -f runs/demo/report.html ]; then echo "open runs/demo/report.html in a browser; crack picture: runs/demo/crack.png"; \
+	else echo "no report page (above: why); crack picture: runs/demo/crack.png, curve: runs/demo/load_deflection.png"; fi
 
 test: build-all
 	ctest --test-dir $(BUILD) --output-on-failure -j 2

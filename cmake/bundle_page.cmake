@@ -24,7 +24,11 @@ if(NOT EXISTS ${stamp})
                   WORKING_DIRECTORY ${BUILD} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said
                   TIMEOUT 300)
   if(failed)
-    no_page("`npm ci` failed (no network?): ${said}")
+    string(REGEX MATCH "[^\n]*failed, reason:[^\n]*" why "${said}") # the rest is npm's own stack
+    if(NOT why)
+      string(SUBSTRING "${said}" 0 400 why)
+    endif()
+    no_page("`npm ci` failed. Is the registry within reach? All else is built; `make build` tries again.\n  ${why}")
     return()
   endif()
   file(TOUCH ${stamp})
