@@ -12,55 +12,52 @@ inline namespace FISSURA_ISA {
 
 using state::JointBatch;
 
-/// The rows of a HistoryRows, in packs.
-template <class V> struct HistoryPacks {
+/// A pack of lanes of a HistoryRows. Where faces merely open and close, most rows stay what they are: writing
+/// them costs more than looking.
+template <class V> struct PackHistory {
   static constexpr int before = 15, lost = 24, handed_over = 27, farthest = 28;
   static constexpr int accounts = lost; ///< from here on the law does not ask
-  V row[state::JointHistory::doubles];
 
-  HistoryPacks(state::HistoryRows const& from, int lane0) {
-    for (int i = 0; i < state::JointHistory::doubles; ++i) row[i] = core::load<V>(from.row[i].data() + lane0);
-  }
-  /// Where faces merely open and close, most rows stay what they are: writing them costs more than looking.
-  void store(state::HistoryRows& to, int lane0) const {
-    put(to, lane0, before, lost);
-    put(to, lane0, farthest, farthest + 1);
-    if (!has_changed(to, lane0, 0, before) && !has_changed(to, lane0, lost, handed_over)) return;
-    put(to, lane0, 0, before);
-    put(to, lane0, lost, handed_over);
-  }
+  state::HistoryRows& rows;
+  int lane0;
+
+  V get(int row) const { return core::load<V>(rows.row[row].data() + lane0); }
+  void put(int row, V v) const { core::store<V>(rows.row[row].data() + lane0, v); }
+
   /// 0 if all accounts are finite, else not a number.
   V zero_if_finite() const {
-    V sum = row[accounts];
-    for (int i = accounts + 1; i < state::JointHistory::doubles; ++i) sum = sum + row[i];
+    V sum = get(accounts);
+    for (int i = accounts + 1; i < state::JointHistory::doubles; ++i) sum = sum + get(i);
     return V(0.0) * sum;
   }
   laws::HistoryPack<V> point(int q) const {
-    V const* const r = row + 5 * q;
-    return {r[0], r[1], r[2], r[3], r[4]};
+    int const r = 5 * q;
+    return {get(r), get(r + 1), get(r + 2), get(r + 3), get(r + 4)};
   }
-  void set_point(int q, laws::HistoryPack<V> const& h) {
-    V* const r = row + 5 * q;
-    r[0] = h.kappa, r[1] = h.z, r[2] = h.f_s, r[3] = h.slip_1, r[4] = h.slip_2;
+  void renew_point(int q, laws::HistoryPack<V> const& was, laws::HistoryPack<V> const& is) const {
+    // Not `!=`: what is no number has changed too.
+    auto const is_same = is.kappa == was.kappa && is.z == was.z && is.f_s == was.f_s &&
+                         is.slip_1 == was.slip_1 && is.slip_2 == was.slip_2;
+    if (!core::any(!is_same)) return;
+    int const r = 5 * q;
+    put(r, is.kappa), put(r + 1, is.z), put(r + 2, is.f_s), put(r + 3, is.slip_1), put(r + 4, is.slip_2);
   }
   laws::SeparationPack<V> separation(int q) const {
-    V const* const r = row + before + 3 * q;
-    return {r[0], r[1], r[2]};
+    int const r = before + 3 * q;
+    return {get(r), get(r + 1), get(r + 2)};
   }
-  void set_separation(int q, laws::SeparationPack<V> const& s) {
-    V* const r = row + before + 3 * q;
-    r[0] = s.opening, r[1] = s.sliding_1, r[2] = s.sliding_2;
+  void set_separation(int q, laws::SeparationPack<V> const& s) const {
+    int const r = before + 3 * q;
+    put(r, s.opening), put(r + 1, s.sliding_1), put(r + 2, s.sliding_2);
   }
-
- private:
-  void put(state::HistoryRows& to, int lane0, int begin, int end) const {
-    for (int i = begin; i < end; ++i) core::store<V>(to.row[i].data() + lane0, row[i]);
-  }
-  bool has_changed(state::HistoryRows const& from, int lane0, int begin, int end) const {
-    auto changed = V(0.0) > V(1.0);
-    for (int i = begin; i < end; ++i)
-      changed = changed || !(row[i] == core::load<V>(from.row[i].data() + lane0)); // a NaN has changed too
-    return core::any(changed);
+  /// Per area/3.
+  void add_lost(V third, V kept, laws::DissipationPack<V> const& more) const {
+    V const zero(0.0);
+    auto const is_none = more.mode_I == zero && more.mode_II == zero && more.friction == zero;
+    if (!core::any(!is_none)) return;
+    put(lost, get(lost) + third * more.mode_I);
+    put(lost + 1, get(lost + 1) + third * more.mode_II);
+    put(lost + 2, get(lost + 2) + third * kept * more.friction);
   }
 };
 static_assert(offsetof(state::JointHistory, last) == 15 * sizeof(double));
@@ -125,30 +122,26 @@ template <class V> struct BatchPack {
     V const zero(0.0), one(1.0), broken = row(batch.broken);
     auto const f = frame();
     auto const p = law();
-    HistoryPacks<V> history(histories, lane0);
+    PackHistory<V> const history{histories, lane0};
     // An account that is not finite makes the forces so: nobody has to go round and look (sim/guards.hpp).
     V const weight = row(batch.weight) + history.zero_if_finite();
-    V const kept = one - history.row[history.handed_over];
+    V const kept = one - history.get(history.handed_over);
     Vec<V> traction[3];
     laws::DissipationPack<V> lost{zero, zero, zero};
     V most = zero, least = one, farthest = zero;
     for (int q = 0; q < 3; ++q) {
-      auto h = history.point(q);
+      auto const was = history.point(q);
+      auto h = was;
       auto const now = separation_at(f, q);
       auto const t = laws::cohesive_law(p, h, now, history.separation(q), broken, lost);
-      history.set_point(q, h);
+      history.renew_point(q, was, h);
       history.set_separation(q, now);
       traction[q] = (kept * t.sigma) * f.normal + (kept * t.tau_1) * f.axis_1 + (kept * t.tau_2) * f.axis_2;
       most = core::larger(most, h.kappa), least = core::smaller(least, h.kappa);
       farthest = core::larger(farthest, core::dot(f.jump[q], f.jump[q]));
     }
-    V const third = V(2.0) * weight; // of the area
-    V* const sums = history.row + history.lost;
-    sums[0] = sums[0] + third * lost.mode_I;
-    sums[1] = sums[1] + third * lost.mode_II;
-    sums[2] = sums[2] + third * kept * lost.friction;
-    history.row[history.farthest] = farthest;
-    history.store(histories, lane0);
+    history.add_lost(V(2.0) * weight, kept, lost);
+    history.put(history.farthest, farthest);
     auto const is_damaged = most > zero || broken > zero;
     note(core::choose(is_damaged, one, zero), core::choose(least >= one, one, zero), farthest);
 
