@@ -13,7 +13,7 @@ using state::JointStatus;
 namespace {
 
 /// Lets one side of a joint take the forces that start at `from`, corner by corner.
-void connect(state::JointSlots& slots, mesh::TetFace side, std::array<int, 3> const& corner, float sign,
+void connect(state::JointSlots& slots, mesh::TetFace side, mesh::FaceCorners const& corner, float sign,
              std::size_t from) {
   auto const tet = static_cast<std::size_t>(side.tet);
   slots.sign[model::at(tet, side.face, 4)] = sign;

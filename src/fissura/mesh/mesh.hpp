@@ -9,8 +9,10 @@
 
 namespace fissura::mesh {
 
+/// Three of the corners 0 ... 3 of a tet, as bytes: every joint has two of them.
+using FaceCorners = std::array<std::uint8_t, 3>;
 /// Face f of a tet lies opposite to its corner f; its corners are listed so that the normal points out of the tet.
-inline constexpr std::array<std::array<int, 3>, 4> face_corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+inline constexpr std::array<FaceCorners, 4> face_corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// A named set of triangles on the faces of tets (a gmsh physical surface, or a side of a box).
 struct FaceGroup {
@@ -49,7 +51,7 @@ struct TetFace {
 /// (corner_a[0], corner_a[1], corner_a[2]) turns so that the normal points from a to b. tet_a < tet_b.
 struct SharedFace {
   TetFace a, b;
-  std::array<int, 3> corner_a{}, corner_b{};
+  FaceCorners corner_a{}, corner_b{};
 };
 
 /// Who touches whom. shared is sorted by (tet_a, face_a): a fixed order for every run.
