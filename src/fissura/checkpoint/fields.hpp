@@ -45,7 +45,7 @@ FISSURA_FIELDS(state::JointRate, sum, weight, last_step, excess, frozen)
 
 FISSURA_FIELDS(laws::BondCurve, strength, eps_y, s_y, ramp, H1, H2, eps_0, s_0)
 FISSURA_FIELDS(laws::BondHistory, sigma_cr, curve, s_max, shift, eps_max, K, yielded)
-FISSURA_FIELDS(laws::KatoHistory, strain, stress, eps_v, sigma_v, eps_max, eps_z, eps_pm, sigma_pm,
+FISSURA_FIELDS(laws::KatoHistory, strain, stress, eps_v, sigma_v, eps_max, eps_z, eps_pm, share_pm,
                E_B_unloading, E_B_loading, direction, ruptured)
 FISSURA_FIELDS(laws::MenegottoPintoHistory, strain, stress, eps_r, sigma_r, roundness, shift, eps_largest,
                eps_smallest, direction, ruptured)

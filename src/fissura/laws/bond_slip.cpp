@@ -35,6 +35,10 @@ double monotonic_slip(BondParams const& p, BondCurve const& c, double eps) {
   return c.s_0 + c.H2 * (eps - c.eps_0);
 }
 
+double elastic_strain(BondParams const& p, BondHistory const& h, double s) {
+  return s / p.k_e + h.sigma_cr / p.E_s;
+}
+
 void weaken(BondParams const& p, BondHistory& h, double strength) {
   h.curve = bond_curve(p, strength, h.sigma_cr);
   // A yielded bar goes on from its strain with the new slopes. Jumping to the new curve would stretch the
@@ -86,8 +90,12 @@ double bond_strain(BondParams const& p, BondHistory& h, double S, double strengt
   if (strength != h.curve.strength) weaken(p, h, strength);
   double const s = S * p.normalise;
   if (!h.yielded) {
-    if (s <= h.curve.s_y) return s / p.k_e + h.sigma_cr / p.E_s;
+    if (s <= h.curve.s_y) return elastic_strain(p, h, s);
     h.yielded = true;
+    // A bar that shear has left less strength than the stress it had when the crack opened yields at a larger
+    // strain than the curve begins with, and goes on from there.
+    double const now = elastic_strain(p, h, h.curve.s_y);
+    if (now > h.curve.eps_y * (1 + 1e-9)) h.shift = monotonic_slip(p, h.curve, now) - h.curve.s_y;
   } else if (s <= h.s_max) {
     return h.eps_max - (h.s_max - s) / h.K; // Eqs. 21, 22 with beta = 1
   }

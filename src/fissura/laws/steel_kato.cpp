@@ -28,7 +28,7 @@ void turn(SteelParams const& p, KatoHistory& h, int direction) {
   bool const yielded = is_beyond_yield(p, h.eps_max);
   if (h.direction != 0) h.eps_v = h.strain, h.sigma_v = h.stress;
   if (yielded && direction > 0 && h.stress < 0) {
-    h.eps_pm = h.strain, h.sigma_pm = h.stress;
+    h.eps_pm = h.strain, h.share_pm = h.stress / p.f_y;
     h.E_B_loading = bauschinger_modulus(p, h.eps_max);
   }
   if (yielded && direction < 0 && h.stress >= 0) {
@@ -38,21 +38,27 @@ void turn(SteelParams const& p, KatoHistory& h, int direction) {
   h.direction = direction;
 }
 
+/// The plateau also caps strains below eps_y, or curve (4) could pass f_y there and fall back with a jump.
+double tensile_limit(SteelParams const& p, double strain) {
+  return is_beyond_yield(p, strain) ? kato_envelope(p, strain) : p.f_y;
+}
+
 double unloading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
+  // Where shear has lowered the strength since the bar turned, what the elastic line promises is too much.
+  double const line = std::min(elastic, tensile_limit(p, strain));
   // Without a zero crossing there is no curve (2): so it is too where shear has lowered f_y below the stress
   // of eps_max only since the bar turned.
   bool const has_crossed = h.eps_z > KatoHistory{}.eps_z;
-  if (!is_beyond_yield(p, h.eps_max) || !has_crossed) return std::max(elastic, -p.f_y);
+  if (!is_beyond_yield(p, h.eps_max) || !has_crossed) return std::max(line, -p.f_y);
   if (elastic < 0 && strain < h.eps_z)
     return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
-  return elastic;
+  return line;
 }
 
 double loading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
-  // The plateau also caps strains below eps_y, or curve (4) could pass f_y there and fall back with a jump.
-  double stress = std::min(elastic, is_beyond_yield(p, strain) ? kato_envelope(p, strain) : p.f_y);
+  double stress = std::min(elastic, tensile_limit(p, strain));
   if (strain > h.eps_pm) {
-    double const beyond = strain - (h.eps_pm + p.eps_y()), sigma_k = h.sigma_pm + p.f_y;
+    double const beyond = strain - (h.eps_pm + p.eps_y()), sigma_k = (h.share_pm + 1) * p.f_y;
     if (beyond > 0) stress = std::min(stress, sigma_k + rounded(p, h.E_B_loading, beyond));
   }
   return stress;

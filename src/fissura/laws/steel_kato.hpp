@@ -15,7 +15,7 @@ struct KatoHistory {
   double eps_v = 0, sigma_v = 0;      ///< last reversal, start of the elastic line
   double eps_max = 0;                 ///< largest strain so far
   double eps_z = -1e30;               ///< largest strain at which an unloading line crossed zero stress
-  double eps_pm = 1e30, sigma_pm = 0; ///< last compressive reversal
+  double eps_pm = 1e30, share_pm = 0; ///< last compressive reversal; its stress over f_y, which may fall
   double E_B_unloading = 0;           ///< E_B of curve (2), frozen at reversal from tension [Pa]
   double E_B_loading = 0;             ///< E_B of curve (4), frozen at reversal from compression [Pa]
   int direction = 0;                  ///< +1 loading, -1 unloading, 0 at the start

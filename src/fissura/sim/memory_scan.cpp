@@ -82,7 +82,7 @@ std::optional<Spot> find_in_joints(Model const& m, State const& s) {
 // ---- bars ---------------------------------------------------------------------------------------
 
 bool finite(laws::KatoHistory const& h) {
-  return finite(h.strain, h.stress, h.eps_v, h.sigma_v, h.eps_max, h.eps_z, h.eps_pm, h.sigma_pm,
+  return finite(h.strain, h.stress, h.eps_v, h.sigma_v, h.eps_max, h.eps_z, h.eps_pm, h.share_pm,
                 h.E_B_unloading, h.E_B_loading);
 }
 bool finite(laws::MenegottoPintoHistory const& h) {

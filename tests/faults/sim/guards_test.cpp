@@ -177,7 +177,7 @@ std::vector<Plant> all_fields() {
   BAR(history, steel.kato.eps_max);
   BAR(history, steel.kato.eps_z);
   BAR(history, steel.kato.eps_pm);
-  BAR(history, steel.kato.sigma_pm);
+  BAR(history, steel.kato.share_pm);
   BAR(history, steel.kato.E_B_unloading);
   BAR(history, steel.kato.E_B_loading);
   BAR(history, steel.menegotto_pinto.strain);

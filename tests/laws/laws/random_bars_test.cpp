@@ -95,78 +95,160 @@ BarJointParams any_joint(Random& r, SteelLaw law, bool dowel) {
   return make_bar_joint_params(in);
 }
 
+/// A bar joint on its way: all that the next step depends on.
+struct BarPoint {
+  BarJointHistory h{};
+  double S = 0, t = 0;
+  BarJointForce force{};
+
+  BarJointForce go(BarJointParams const& p, double S_next, double t_next, BarJointDissipation& lost) {
+    S = S_next, t = t_next;
+    return force = bar_joint_force(p, h, S_next, t_next, lost);
+  }
+};
+/// A step that is to be taken again in small pieces.
+struct BarStep {
+  double jump = 0; ///< change of the stress [Pa]
+  BarPoint from{};
+  double S = 0, t = 0;
+};
+
+/// Takes a step again in ever smaller pieces, each time the one with the largest jump: what is continuous
+/// loses it.
+double jump_left(BarJointParams const& p, BarStep step) {
+  for (int level = 0; level < 6; ++level) {
+    BarPoint x = step.from;
+    BarStep largest;
+    for (int i = 1; i <= 32; ++i) {
+      BarPoint const was = x;
+      BarJointDissipation lost;
+      x.go(p, step.from.S + (step.S - step.from.S) * i / 32, step.from.t + (step.t - step.from.t) * i / 32,
+           lost);
+      double const jump = std::abs(x.force.sigma - was.force.sigma);
+      if (!x.h.ruptured && jump >= largest.jump) largest = {jump, was, x.S, x.t};
+    }
+    step = largest;
+  }
+  return step.jump;
+}
+
 struct BarFindings {
   double imbalance = 0; ///< largest |work - change of stored - lost| / work
   double dip = 0;       ///< deepest fall of what was lost / (work + energy at yield)
   double created = 0;   ///< largest energy that came out beyond all that was put in / the same
+  double jump = 0;      ///< of the stress / f_y
   std::string trouble{};
 };
 
+/// Drives a bar joint along eight legs of slip and offset and holds it to its bounds.
+struct BarDriver {
+  BarJointParams p;
+  BarPoint x{};
+  double stored_0 = 0, net = 0, work = 0, most = 0, dip = 0, least = 0, imbalance = 0;
+  BarJointDissipation lost{};
+  BarStep largest{}, at_yield{};
+  std::string trouble{};
+
+  void expect(bool ok, char const* what) {
+    if (!ok && trouble.empty()) trouble = what;
+  }
+  void open_crack(Random& r) {
+    double const sigma_cr = r.uniform(-0.05, 0.3) * p.steel.f_y;
+    stored_0 = r.uniform(0, 1);
+    activate(p, x.h, 0, {}, sigma_cr, stored_0);
+    expect(std::abs(x.h.sigma - sigma_cr) <= 1e-9 * p.steel.f_y, "the stress jumps when the crack opens");
+    x.force.sigma = x.h.sigma;
+  }
+  void step(double S, double t) {
+    BarPoint const was = x;
+    x.go(p, S, t, lost);
+    double const axial = p.A_s * (was.force.sigma + x.force.sigma) * (S - was.S),
+                 across = (was.force.V_s + x.force.V_s) * (t - was.t);
+    net += axial + across, work += std::abs(axial) + std::abs(across);
+    double const total = lost.bond_steel + lost.dowel;
+    most = std::max(most, total), dip = std::max(dip, most - total), least = std::min(least, total);
+    imbalance = std::max(imbalance, std::abs(net + stored_0 - bar_joint_stored(p, x.h) - total));
+    double const jump = std::abs(x.force.sigma - was.force.sigma);
+    if (!x.h.ruptured && jump > largest.jump) largest = {jump, was, S, t};
+    if (!was.h.yielded && x.h.yielded) at_yield = {jump, was, S, t};
+    check(was.h, t);
+  }
+  void check(BarJointHistory const& was, double t) {
+    auto const& h = x.h;
+    double const sigma = x.force.sigma, V_s = x.force.V_s;
+    expect(sigma <= p.steel.f_u * (1 + 1e-9) && sigma >= -strongest_in_compression(p.steel) * (1 + 1e-9),
+           "the bar is stressed beyond its strength");
+    expect(V_s >= 0 && V_s <= p.dowel.stiffness * t * (1 + 1e-9), "the dowel pulls, or grows stiffer");
+    expect(h.dowel.DI >= was.dowel.DI && h.dowel.softening <= was.dowel.softening, "the dowel recovers");
+    expect(h.dowel.strength <= was.dowel.strength && h.dowel.strength >= 0, "shear gives strength back");
+    expect(!was.activated || h.activated, "a bar joint is not activated any more");
+    expect(!was.yielded || h.yielded, "a bar joint has not yielded any more");
+    expect(!was.ruptured || (h.ruptured && sigma == 0 && V_s == 0), "a broken bar carries");
+    expect(!was.bond.yielded || h.bond.s_max >= was.bond.s_max, "the largest slip falls");
+    expect(std::isfinite(h.strain) && std::isfinite(sigma), "a number is not finite");
+  }
+};
+
 BarFindings drive_joint(BarJointParams const& p, Random& r) {
-  BarFindings f;
-  auto const expect = [&](bool ok, char const* what) {
-    if (!ok && f.trouble.empty()) f.trouble = what;
-  };
-  BarJointHistory h;
-  double const sigma_cr = r.uniform(-0.05, 0.3) * p.steel.f_y, stored_0 = r.uniform(0, 1);
-  activate(p, h, 0, {}, sigma_cr, stored_0);
-  expect(std::abs(h.sigma - sigma_cr) <= 1e-9 * p.steel.f_y, "the stress jumps when the crack opens");
+  BarDriver d{p};
+  d.open_crack(r);
   double const at_yield = p.energy_factor * p.bond.k_e * p.steel.f_y * p.steel.f_y;
   double const S_y = p.bond.k_e * p.steel.eps_y() / p.bond.normalise, reach = S_y * r.log_uniform(0.3, 60);
   double const offset = p.with_dowel ? p.D * r.log_uniform(1e-4, 0.3) : 0;
-  double S = 0, t = 0, net = 0, work = 0, most = 0, dip = 0, least = 0, imbalance = 0;
-  BarJointForce last{h.sigma, 0};
-  BarJointDissipation lost;
   for (int leg = 0; leg < 8; ++leg) {
-    double const S_to = r.uniform(-0.1, 1) * reach, t_to = r.uniform(0, 1) * offset, S_from = S, t_from = t;
-    for (int i = 1; i <= 500; ++i) {
-      BarJointHistory const was = h;
-      double const S_next = S_from + (S_to - S_from) * i / 500, t_next = t_from + (t_to - t_from) * i / 500;
-      BarJointForce const now = bar_joint_force(p, h, S_next, t_next, lost);
-      double const axial = p.A_s * (last.sigma + now.sigma) * (S_next - S),
-                   across = (last.V_s + now.V_s) * (t_next - t);
-      net += axial + across, work += std::abs(axial) + std::abs(across);
-      double const total = lost.bond_steel + lost.dowel;
-      most = std::max(most, total), dip = std::max(dip, most - total), least = std::min(least, total);
-      imbalance = std::max(imbalance, std::abs(net + stored_0 - bar_joint_stored(p, h) - total));
-      S = S_next, t = t_next, last = now;
-
-      expect(now.sigma <= p.steel.f_u * (1 + 1e-9) &&
-                 now.sigma >= -strongest_in_compression(p.steel) * (1 + 1e-9),
-             "the bar is stressed beyond its strength");
-      expect(now.V_s >= 0 && now.V_s <= p.dowel.stiffness * t_next * (1 + 1e-9),
-             "the dowel pulls, or grows stiffer");
-      expect(h.dowel.DI >= was.dowel.DI && h.dowel.softening <= was.dowel.softening, "the dowel recovers");
-      expect(h.dowel.strength <= was.dowel.strength && h.dowel.strength >= 0, "shear gives strength back");
-      expect(!was.activated || h.activated, "a bar joint is not activated any more");
-      expect(!was.yielded || h.yielded, "a bar joint has not yielded any more");
-      expect(!was.ruptured || (h.ruptured && now.sigma == 0 && now.V_s == 0), "a broken bar carries");
-      expect(!was.bond.yielded || h.bond.s_max >= was.bond.s_max, "the largest slip falls");
-      expect(std::isfinite(h.strain) && std::isfinite(now.sigma), "a number is not finite");
-    }
+    double const S = d.x.S, t = d.x.t, S_to = r.uniform(-0.1, 1) * reach, t_to = r.uniform(0, 1) * offset;
+    for (int i = 1; i <= 500; ++i) d.step(S + (S_to - S) * i / 500, t + (t_to - t) * i / 500);
   }
-  f.imbalance = imbalance / (work + at_yield + stored_0), f.dip = dip / (work + at_yield);
-  f.created = -least / (work + at_yield);
+  BarFindings f;
+  f.trouble = d.trouble;
+  f.imbalance = d.imbalance / (d.work + at_yield + d.stored_0), f.dip = d.dip / (d.work + at_yield);
+  f.created = -d.least / (d.work + at_yield);
+  f.jump = std::max(jump_left(p, d.largest), jump_left(p, d.at_yield)) / p.steel.f_y;
   return f;
 }
 
-// Requirement: on any path of slip and offset the accounts of a bar joint close, no more comes out than was
-// put in, its stress stays within the strength of the steel, damage of the dowel, yielding and rupture are
-// for good. Of what was lost some may come back just past yield, where the strain runs ahead of the slip
-// (known: laws/bar_joint_energy_test.cpp): with 6e4 random steels, bonds and paths up to 2.6 % of the work.
-TEST(RandomPaths, bar_joints) {
-  double worst = 0;
+/// The worst of random bar joints, without and with dowel.
+BarFindings worst_joint(SteelLaw law) {
+  BarFindings worst;
   for (bool const dowel : {false, true})
     for (int i = 0, n = random_count(300); i < n; ++i) {
       Random r(static_cast<unsigned>(i));
-      auto const f = drive_joint(any_joint(r, SteelLaw::kato, dowel), r);
-      ASSERT_EQ(f.trouble, "") << "path " << i;
-      ASSERT_LT(f.imbalance, 1e-9) << "path " << i;
-      ASSERT_LT(f.created, 1e-12) << dowel << " path " << i;
-      ASSERT_LT(f.dip, 0.03) << dowel << " path " << i;
-      worst = std::max(worst, f.dip);
+      auto const f = drive_joint(any_joint(r, law, dowel), r);
+      if (!f.trouble.empty() && worst.trouble.empty())
+        worst.trouble = f.trouble + ", path " + std::to_string(i) + (dowel ? " with dowel" : "");
+      worst.imbalance = std::max(worst.imbalance, f.imbalance), worst.dip = std::max(worst.dip, f.dip);
+      worst.created = std::max(worst.created, f.created), worst.jump = std::max(worst.jump, f.jump);
     }
-  RecordProperty("dip", std::to_string(worst));
+  testing::Test::RecordProperty("dip", std::to_string(worst.dip));
+  testing::Test::RecordProperty("created", std::to_string(worst.created));
+  testing::Test::RecordProperty("jump", std::to_string(worst.jump));
+  return worst;
+}
+
+// Requirement: on any path of slip and offset the accounts of a bar joint close, no more comes out than was
+// put in, its stress stays within the strength of the steel and does not jump, damage of the dowel, yielding
+// and rupture are for good. Of what was lost some may come back just past yield, where the strain runs ahead
+// of the slip (known: laws/bar_joint_energy_test.cpp): with 6e4 random steels, bonds and paths up to 2.6 % of
+// the work.
+TEST(RandomPaths, bar_joints) {
+  auto const worst = worst_joint(SteelLaw::kato);
+  EXPECT_EQ(worst.trouble, "");
+  EXPECT_LT(worst.imbalance, 1e-9);
+  EXPECT_LT(worst.created, 1e-12);
+  EXPECT_LT(worst.dip, 0.03);
+  EXPECT_LT(worst.jump, 1e-4);
+}
+
+// Requirement: the same with Menegotto-Pinto's steel, which gives back more than its elastic unloading
+// promises (Bauschinger effect): with 2e4 random ones up to 4.8 % of the work out of what was lost, and once
+// 0.07 % beyond all that was put in, just past its round yield point.
+TEST(RandomPaths, bar_joints_of_menegotto_pinto) {
+  auto const worst = worst_joint(SteelLaw::menegotto_pinto);
+  EXPECT_EQ(worst.trouble, "");
+  EXPECT_LT(worst.imbalance, 1e-9);
+  EXPECT_LT(worst.created, 2e-3);
+  EXPECT_LT(worst.dip, 0.06);
+  EXPECT_LT(worst.jump, 1e-4);
 }
 
 // Requirement: before cracking the stress of a bar joint is the slope of its stored energy, which is never

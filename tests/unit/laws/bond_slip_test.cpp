@@ -116,6 +116,24 @@ TEST(BondSlip, WeakeningAfterYieldIsContinuous) {
   EXPECT_NEAR(bond_strain(p, h, 0.11, 0.8), before + 0.01 / (0.8 * 5.64), 1e-9);
 }
 
+// A bar that shear weakens below the stress it had when the crack opened yields without a jump of its strain,
+// with a plateau and without.
+TEST(BondSlip, YieldOfABarWeakenedBelowItsStressAtCrackingIsContinuous) {
+  for (auto law : {SteelLaw::kato, SteelLaw::menegotto_pinto}) {
+    auto steel = table_4();
+    steel.law = law;
+    auto const p = unit_scale(steel, 30e6);
+    BondHistory h;
+    h.sigma_cr = 0.2 * steel.f_y;
+    double const s_y = bond_curve(p, 0.1, h.sigma_cr).s_y, before = bond_strain(p, h, s_y, 0.1);
+    EXPECT_GT(before, 0.2 * steel.eps_y());
+    double const after = bond_strain(p, h, s_y + 1e-12, 0.1);
+    EXPECT_TRUE(h.yielded);
+    EXPECT_NEAR(after, before, 1e-7) << int(law);
+    EXPECT_GT(bond_strain(p, h, s_y + 1e-3, 0.1), after);
+  }
+}
+
 // A tie with one crack per element yields at the mean strain 0.087 s(eps_y)/K_fc = 1.815e-3 for every element
 // size, as long as alpha is linear: the reason why the average curve does not depend on the mesh.
 TEST(BondSlip, MeanStrainAtYieldOfACrackedTie) {

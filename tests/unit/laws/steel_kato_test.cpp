@@ -116,4 +116,33 @@ TEST(SteelKato, StrengthThatFallsInCompression) {
     EXPECT_NEAR(stress, std::max(-share * 530e6, 210e9 * h.strain), 1) << share;
   }
 }
+
+// Shear that weakens a bar on its way back from compression weakens the memory of the compression too: pulled
+// on, the bar is in tension within two yield strains. (A reversal kept in Pa let it push for good.)
+TEST(SteelKato, ReloadingOfABarThatIsWeakenedEndsInTension) {
+  KatoHistory h;
+  SteelKato law{table_4()};
+  for (double const strain : {0.05, 0.02}) go(law, h, strain);
+  EXPECT_LT(h.stress, -400e6);
+  go(law, h, 0.0215);
+  law.params = reduced(table_4(), 0.14);
+  EXPECT_GT(go(law, h, 0.0275), 0);
+  EXPECT_LE(h.stress, 0.14 * 650e6);
+}
+
+// A bar whose strength falls below its stress while it unloads follows the strength down and turns without a
+// jump.
+TEST(SteelKato, UnloadingOfABarThatIsWeakenedFollowsItsStrength) {
+  KatoHistory h;
+  SteelKato law{table_4()};
+  go(law, h, 0.02);
+  for (double share = 1; share > 0.1; share -= 1e-3) {
+    law.params = reduced(table_4(), share);
+    law(h, h.strain - 1e-8);
+    EXPECT_LE(h.stress, share * 530e6 * (1 + 1e-12)) << share;
+  }
+  double const unloaded = h.stress;
+  EXPECT_NEAR(law(h, h.strain + 1e-9), unloaded, 1e3);
+}
+
 } // namespace
