@@ -247,6 +247,13 @@ std::vector<Fault> const faults{
      "54:8: error: `pace` is for loading in which inertia does not matter; the deck has impactors, which "
      "happen "
      "in their own time: remove one of the two"},
+    {"pace with a body in motion", "[[stop]]",
+     "[[initial_velocity]]\nvelocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]\nwhere = {plane = \"x\", at = \"1 "
+     "m\"}\n"
+     "[run]\npace = 3\n[[stop]]",
+     "52:8: error: `pace` is for loading in which inertia does not matter; the deck has initial velocities"},
+    {"letter of another alphabet outside quotes", "[[stop]]", "[[sto\xC3\xA4]]",
+     "48:6: error: a character that may stand only in quotes or in a comment"},
     {"weight for a mass", "[[stop]]",
      "[[impactor]]\nshape = \"sphere\"\nradius = \"0.1 m\"\ncentre = [\"0 m\", \"0 m\", \"1 m\"]\nmass = \"5 "
      "kN\"\n"

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "fissura/geometry/tet.hpp"
 #include "fissura/geometry/triangle.hpp"
@@ -137,8 +140,8 @@ TEST(RandomMesh, valid_and_repeatable) {
   }
 }
 
-// Requirement: touching boxes of one body share points and faces, of different bodies none, also where their cells
-// match; tets know their body after the mesh is made.
+// Requirement: touching boxes of one body share points and faces, of different bodies none, also where their
+// cells match; tets know their body after the mesh is made.
 TEST(Boxes, of_different_bodies_are_not_joined) {
   auto left = box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}), right = box({1, 0, 0}, {2, 1, 1}, {1, 1, 1});
   std::vector<BoxCells> boxes{left, right};
@@ -151,6 +154,41 @@ TEST(Boxes, of_different_bodies_are_not_joined) {
   EXPECT_EQ(apart.points.size(), 16u);
   EXPECT_EQ(connected_bodies(apart, make_adjacency(apart)), apart.tet_body);
   EXPECT_EQ(apart.tet_body.back(), 1);
+}
+
+std::string refusal(std::vector<BoxCells> const& boxes) {
+  try {
+    make_boxes(boxes);
+  } catch (core::InputError const& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// Requirement: boxes that make no mesh are refused by name, with the number that is wrong.
+TEST(Boxes, that_make_no_mesh_are_refused) {
+  BoxCells const sound = box({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  auto const expect = [&](std::vector<BoxCells> const& boxes, std::string const& reason) {
+    EXPECT_NE(refusal(boxes).find(reason), std::string::npos) << refusal(boxes);
+  };
+  EXPECT_EQ(refusal({sound}), "");
+  expect({}, "no box to mesh");
+  auto wrong = sound;
+  wrong.to.y = std::numeric_limits<double>::infinity();
+  expect({wrong}, "box 'concrete': y is not a number");
+  wrong = sound, wrong.to.z = 0;
+  expect({wrong}, "box 'concrete': no extent along z: both corners are at 0 m");
+  wrong = sound, wrong.cells[0] = 0;
+  expect({wrong}, "0 cells along x, at least 1 is needed");
+  wrong = sound, wrong.grading[1] = 0;
+  expect({wrong}, "grading 0 along y is outside 1e-6 .. 1e6");
+  wrong = sound, wrong.tets_per_cell = 5;
+  expect({wrong}, "5 tets per cell: only 6 and 24 are known");
+  wrong = sound, wrong.cells = {1000, 1000, 100};
+  expect({wrong}, "the boxes ask for 6e+08 tets; at most 2.5e8 can be numbered");
+  auto other = sound;
+  other.from.x = 0.5, other.to.x = 2;
+  expect({sound, other}, "overlap");
 }
 
 } // namespace

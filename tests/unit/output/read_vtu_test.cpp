@@ -78,6 +78,25 @@ TEST(ReadVtu, NamesWhatIsWrong) {
   EXPECT_NE(message_of(folder / "without.vtu").find("no array 'stress' under CellData"), std::string::npos);
 }
 
+// Requirement: a frame whose header was altered is refused with what is wrong in it.
+TEST(ReadVtu, NamesWhatIsWrongInTheHeader) {
+  TemporaryFolder const folder;
+  write_vtu(folder / "a.vtu", two_lines());
+  std::string const whole = read_bytes(folder / "a.vtu");
+  auto const expect = [&](std::string const& old_text, std::string const& new_text,
+                          std::string const& reason) {
+    std::string changed = whole;
+    ASSERT_NE(changed.find(old_text), std::string::npos) << old_text;
+    changed.replace(changed.find(old_text), old_text.size(), new_text);
+    overwrite(folder / "b.vtu", changed);
+    std::string const text = message_of(folder / "b.vtu");
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
+  };
+  expect("<VTKFile", "<<TKFile", "its XML header is damaged");
+  expect("LittleEndian", "BigEndian", "expected zlib blocks with UInt64 headers, little endian");
+  expect("NumberOfCells=\"2\"", "NumberOfCells=\"3\"", "array 'stress' has 2 values instead of 3");
+}
+
 // Requirement: a frame cut off at any place gives an error, never a crash or wrong numbers.
 TEST(ReadVtu, RefusesAnyBeginningOfAFrame) {
   TemporaryFolder const folder;

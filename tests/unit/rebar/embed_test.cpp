@@ -221,6 +221,36 @@ TEST(Embed, ImpossibleBarsAreErrors) {
                core::InputError);
 }
 
+std::string refusal(mesh::Mesh const& mesh, model::BarSpec const& bar) {
+  try {
+    embed(mesh, {bar});
+  } catch (core::InputError const& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// A curve that is no single line, and a bar without a section, are errors at the bar's place that say why.
+TEST(Embed, CurvesThatAreNoLineAreErrors) {
+  auto mesh = kuhn_box({2, 1, 1}, {1, 1, 1});
+  auto bar = bar_along({});
+  bar.curve = "tendon";
+  auto const expect = [&](std::vector<std::array<int, 2>> segments, std::string const& reason) {
+    mesh.line_groups = {{"tendon", std::move(segments)}};
+    std::string const text = refusal(mesh, bar);
+    EXPECT_NE(text.find("case.toml:7"), std::string::npos) << text;
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
+  };
+  expect({}, "curve 'tendon' has no segments");
+  expect({{0, 1}, {1, 2}, {1, 4}}, "curve 'tendon' branches at (");
+  expect({{0, 1}, {3, 4}}, "curve 'tendon' falls into several lines");
+  bar.curve = "cable";
+  EXPECT_NE(refusal(mesh, bar).find("the mesh has no curve 'cable' (it has: tendon)"), std::string::npos);
+  EXPECT_NE(
+      refusal(mesh, bar_along({{0.1, 0.1, 0.1}, {0.9, 0.1, 0.1}}, 0)).find("needs a diameter or an area"),
+      std::string::npos);
+}
+
 // Tets that are bonded to each other have no bar joint between them.
 TEST(Embed, BondedFacesHaveNoBarJoint) {
   auto mesh = kuhn_box({4, 2, 2}, {1, 0.5, 0.5});
