@@ -37,11 +37,6 @@ double surely_intact_jump(laws::CohesiveParams const& law) {
   return law.crackable ? std::min(law.o_p, law.f_s / law.k) : std::numeric_limits<double>::infinity();
 }
 
-bool may_separate(model::FaceCrossing const& face, mesh::SharedFace const& shared, Nodes const& nodes) {
-  Vec3 const d = jump_at(face, shared, nodes);
-  return !(dot(d, d) < face.surely_intact * face.surely_intact);
-}
-
 bool separates(model::FaceCrossing const& face, mesh::SharedFace const& shared,
                laws::CohesiveParams const& law, Nodes const& nodes) {
   return laws::cohesive_damage(law, laws::CohesiveHistory{}, separation_at(face, shared, nodes)) > 0;

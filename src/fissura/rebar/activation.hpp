@@ -6,7 +6,7 @@
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/mesh/mesh.hpp"
 #include "fissura/model/bars.hpp"
-#include "fissura/rebar/kinematics.hpp"
+#include "fissura/rebar/nodes.hpp"
 
 namespace fissura::rebar {
 
@@ -17,8 +17,6 @@ laws::Separation separation_at(model::FaceCrossing const& face, mesh::SharedFace
 
 /// FaceCrossing::surely_intact of a face with this law [m].
 double surely_intact_jump(laws::CohesiveParams const& law);
-/// False where the jump at the crossing is below that.
-bool may_separate(model::FaceCrossing const& face, mesh::SharedFace const& shared, Nodes const& nodes);
 
 /// True where opening > o_p or sliding > s_p (for the pressure there) at the crossing: D > 0 in Eq. 19.
 bool separates(model::FaceCrossing const& face, mesh::SharedFace const& shared,

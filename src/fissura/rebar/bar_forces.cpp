@@ -1,8 +1,12 @@
 #include "fissura/parallel/parallel.hpp"
-#include "fissura/rebar/kinematics.hpp"
+#include "fissura/rebar/kernels.hpp"
 #include "fissura/rebar/rebar.hpp"
 
 namespace fissura::rebar {
+
+BarPass bar_pass(model::Model const& m, state::State& s, state::Scratch& w) {
+  return {&m.bars, m.position.data(), s.u.data(), s.bars.elongation.data(), &w.bars};
+}
 
 void activate_all(model::Model const& m, state::BarState& s) {
   for (std::size_t i = 0; i < m.bars.joints.size(); ++i)
@@ -23,16 +27,7 @@ state::BarState make_bar_state(model::Bars const& bars) {
   return s;
 }
 
-void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
-                      std::size_t end) {
-  Nodes const nodes{m.position.data(), s.u.data()};
-  for (std::size_t i = begin; i < end; ++i) {
-    auto const stretch = stretch_of(m.bars.elements[i], nodes);
-    s.bars.elongation[i] = stretch.elongation;
-    w.bars.element[i].direction = stretch.direction;
-    w.bars.element[i].gradients = gradients_of(m.bars.elements[i].tet, nodes);
-  }
-}
+namespace {
 
 void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
                     std::size_t end) {
@@ -44,13 +39,15 @@ void element_forces(model::Model const& m, state::State& s, state::Scratch& w, s
         bar.steel.E_s * bar.area * (s.bars.elongation[i] / e.length + bar.initial_strain); // Eqs. 4, 5
     auto const end_force = [&](int joint) {
       bool const cracked = slip_only && joint >= 0 && s.bars.is_activated(static_cast<std::size_t>(joint));
-      return cracked ? w.bars.joint[static_cast<std::size_t>(joint)].axial : own;
+      return cracked ? w.bars.joint[static_cast<std::size_t>(joint)].pull : own;
     };
     double const force = 0.5 * (end_force(e.joint0) + end_force(e.joint1));
     s.bars.element_stress[i] = force / bar.area;
-    w.bars.element[i].force = force * w.bars.element[i].direction;
+    w.bars.element[i].force = force * Vec3(w.bars.element[i].direction);
   }
 }
+
+} // namespace
 
 void bar_forces(model::Model const& m, state::State& s, state::Scratch& w) {
   parallel::for_chunks(m.bars.elements.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -1,9 +1,10 @@
+#include <algorithm>
 #include <cmath>
 
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/rebar/activation.hpp"
 #include "fissura/rebar/element_energy.hpp"
-#include "fissura/rebar/kinematics.hpp"
+#include "fissura/rebar/kernels.hpp"
 #include "fissura/rebar/rebar.hpp"
 
 namespace fissura::rebar {
@@ -15,12 +16,9 @@ class JointStep {
  public:
   JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
       : m_(m), whole_(s), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
-        i_(index), nodes_{m.position.data(), s.u.data()},
-        side_a_(w.bars.element[static_cast<std::size_t>(joint_.elem_a)]),
-        side_b_(w.bars.element[static_cast<std::size_t>(joint_.elem_b)]), out_(w.bars.joint[index]),
+        i_(index), nodes_{m.position.data(), s.u.data()}, now_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
-    jump_ = jump_of(joint_, side_a_.direction, side_b_.direction, nodes_);
-    slip_ = 0.5 * (jump_.axial + (slip_only_ ? elongation_of_halves() : 0));
+    slip_ = 0.5 * (now_.axial + (slip_only_ ? elongation_of_halves() : 0));
   }
 
   void advance() {
@@ -45,10 +43,10 @@ class JointStep {
   }
 
   bool some_face_separates() const {
+    if (now_.may_separate == 0) return false;
     for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
       auto const& face = m_.bars.faces[f];
       auto const& shared = m_.adjacency.shared[face.shared_face];
-      if (!may_separate(face, shared, nodes_)) continue;
       auto const law =
           laws::with_strength(m_.joints.law(face.joint), state::strength_factor(whole_, face.joint));
       if (separates(face, shared, law, nodes_)) return true;
@@ -58,7 +56,7 @@ class JointStep {
 
   /// The bar takes its share of the traction in the undamaged faces (docs/theory/bars.md, "Before cracking").
   void follow_concrete() {
-    double const sigma = law_.intact.stress(jump_.axial) + law_.prestress;
+    double const sigma = law_.intact.stress(now_.axial) + law_.prestress;
     act(sigma, {});
     s_.joint_stress[i_] = sigma;
     s_.joint_strain[i_] = sigma / m_.bars.properties[joint_.bar].steel.E_s;
@@ -67,11 +65,12 @@ class JointStep {
   /// Slip law along the bar and dowel action across it (Eqs. 20-27).
   void slide(laws::BarJointHistory& h) {
     bool const was_whole = !h.ruptured;
-    double const t_1 = jump_.t_1 - h.t_0.x, t_2 = jump_.t_2 - h.t_0.y, t_s = std::hypot(t_1, t_2);
+    double const t_1 = now_.t_1 - h.t_0.x, t_2 = now_.t_2 - h.t_0.y, t_s = std::hypot(t_1, t_2);
     laws::BarJointDissipation lost;
     auto const force = laws::bar_joint_force(law_.activated, h, slip_ - h.S_0, t_s, lost);
     book(lost, was_whole && h.ruptured);
-    Vec3 const across = t_s > 0 ? (t_1 / t_s) * jump_.across_1 + (t_2 / t_s) * jump_.across_2 : Vec3{};
+    Vec3 const across =
+        t_s > 0 ? (t_1 / t_s) * Vec3(now_.across_1) + (t_2 / t_s) * Vec3(now_.across_2) : Vec3{};
     act(force.sigma, force.V_s * across);
     s_.joint_stress[i_] = force.sigma;
     s_.joint_strain[i_] = h.strain;
@@ -92,17 +91,15 @@ class JointStep {
 
   /// Both sides are pulled at one point, halfway between P_A and P_B: no couple.
   void act(double sigma, Vec3 dowel) {
-    out_.axial = sigma * m_.bars.properties[joint_.bar].area;
-    out_.force = out_.axial * jump_.r + dowel;
-    out_.w_a = moved_weights(side_a_.gradients, joint_.w_a, 0.5 * jump_.d);
-    out_.w_b = moved_weights(side_b_.gradients, joint_.w_b, -0.5 * jump_.d);
+    now_.pull = sigma * m_.bars.properties[joint_.bar].area;
+    now_.force = now_.pull * Vec3(now_.r) + dowel;
   }
 
   void remember() {
     auto& motion = s_.motion[i_];
-    motion = {jump_.axial, slip_, jump_.t_1, jump_.t_2, 0};
+    motion = {now_.axial, slip_, now_.t_1, now_.t_2, 0};
     if (s_.history[i_].activated) return;
-    motion.held = intact_energy(law_, jump_.axial);
+    motion.held = intact_energy(law_, now_.axial);
     if (!slip_only_) return;
     for (int e : {joint_.elem_a, joint_.elem_b}) motion.held += 0.5 * elastic_energy(m_.bars, s_, e);
   }
@@ -114,26 +111,23 @@ class JointStep {
   state::BarState& s_;
   std::size_t i_;
   Nodes nodes_;
-  state::BarScratch::Element const &side_a_, &side_b_;
-  state::BarScratch::Joint& out_;
+  state::BarScratch::Joint& now_;
   bool slip_only_;
-  JointJump jump_;
   double slip_ = 0;
 };
 
 } // namespace
 
-void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
-                  std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) JointStep(m, s, w, i).advance();
-}
-
 void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w) {
-  parallel::for_chunks(m.bars.elements.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
-    stretch_elements(m, s, w, begin, end);
+  auto const pass = bar_pass(m, s, w);
+  auto const& kernels = bar_kernels();
+  parallel::for_chunks(w.bars.element_lanes.size(), 64, [&](std::size_t, std::size_t begin, std::size_t end) {
+    kernels.stretch_elements(pass, begin, end);
   });
-  parallel::for_chunks(m.bars.joints.size(), 128, [&](std::size_t, std::size_t begin, std::size_t end) {
-    joint_forces(m, s, w, begin, end);
+  parallel::for_chunks(w.bars.joint_lanes.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
+    kernels.move_joints(pass, begin, end);
+    std::size_t const last = std::min(8 * end, m.bars.joints.size());
+    for (std::size_t i = 8 * begin; i < last; ++i) JointStep(m, s, w, i).advance();
   });
 }
 

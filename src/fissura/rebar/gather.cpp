@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fissura/parallel/parallel.hpp"
+#include "fissura/rebar/lanes.hpp"
 #include "fissura/rebar/rebar.hpp"
 
 #include <fmt/core.h>
@@ -30,27 +31,7 @@ void add(double* corner, double weight, Vec3 f) {
   corner[2] += weight * f.z;
 }
 
-} // namespace
-
-state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& overlay) {
-  if (m.bars.joint_law.size() != m.bars.joints.size())
-    throw core::Error(core::Failure::run, "bar joints have no laws yet: set_bar_joint_laws comes first");
-  state::BarScratch w;
-  w.element.resize(m.bars.elements.size());
-  w.joint.resize(m.bars.joints.size());
-  for (auto const& [tet, entry] : entries_of(m.bars)) {
-    if (w.hosts.empty() || w.hosts.back().tet != tet) {
-      int const slot = overlay.slot_of_tet[tet];
-      if (slot < 0)
-        throw core::Error(core::Failure::run, fmt::format("tet {} holds a bar but no overlay slot", tet));
-      w.hosts.push_back({tet, slot, static_cast<int>(w.entries.size()), 0});
-    }
-    w.entries.push_back(entry);
-    w.hosts.back().end = static_cast<int>(w.entries.size());
-  }
-  return w;
-}
-
+/// The hosts [begin, end).
 void gather(model::Model const& m, state::Scratch& w, std::size_t begin, std::size_t end) {
   for (std::size_t h = begin; h < end; ++h) {
     auto const& host = w.bars.hosts[h];
@@ -67,6 +48,28 @@ void gather(model::Model const& m, state::Scratch& w, std::size_t begin, std::si
       }
     }
   }
+}
+
+} // namespace
+
+state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& overlay) {
+  if (m.bars.joint_law.size() != m.bars.joints.size())
+    throw core::Error(core::Failure::run, "bar joints have no laws yet: set_bar_joint_laws comes first");
+  state::BarScratch w;
+  w.element.resize(m.bars.elements.size());
+  w.joint.resize(m.bars.joints.size());
+  make_bar_lanes(m, w);
+  for (auto const& [tet, entry] : entries_of(m.bars)) {
+    if (w.hosts.empty() || w.hosts.back().tet != tet) {
+      int const slot = overlay.slot_of_tet[tet];
+      if (slot < 0)
+        throw core::Error(core::Failure::run, fmt::format("tet {} holds a bar but no overlay slot", tet));
+      w.hosts.push_back({tet, slot, static_cast<int>(w.entries.size()), 0});
+    }
+    w.entries.push_back(entry);
+    w.hosts.back().end = static_cast<int>(w.entries.size());
+  }
+  return w;
 }
 
 void gather_bar_forces(model::Model const& m, state::Scratch& w) {

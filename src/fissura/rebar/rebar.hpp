@@ -33,17 +33,6 @@ void bar_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// Adds the forces of elements and joints to the overlay, tet by tet in a fixed order.
 void gather_bar_forces(model::Model const& m, state::Scratch& w);
 
-// ---- the same over index ranges
-// ---------------------------------------------------------------------------------
-void stretch_elements(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
-                      std::size_t end);
-void joint_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
-                  std::size_t end);
-void element_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
-                    std::size_t end);
-/// Range over BarScratch::hosts.
-void gather(model::Model const& m, state::Scratch& w, std::size_t begin, std::size_t end);
-
 /// Where the energy of the reinforcement is [J].
 struct BarEnergy {
   double elements = 0;   ///< held in bar elements

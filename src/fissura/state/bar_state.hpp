@@ -9,6 +9,7 @@
 
 #include "fissura/core/vec3.hpp"
 #include "fissura/laws/bar_joint.hpp"
+#include "fissura/state/bar_lanes.hpp"
 
 namespace fissura::state {
 
@@ -49,15 +50,27 @@ struct BarState {
 
 /// Work arrays of the bars.
 struct BarScratch {
+  /// A vector as packs write it: x, y, z, 0.
+  struct Padded {
+    double x = 0, y = 0, z = 0, pad = 0;
+    Padded() = default;
+    Padded(Vec3 v) : x(v.x), y(v.y), z(v.z) {}
+    operator Vec3() const { return {x, y, z}; }
+  };
   struct Element {
-    Vec3 direction;                ///< current, unit
-    Vec3 force;                    ///< N times direction: on P_0, its opposite on P_1 [N]
-    std::array<Vec3, 3> gradients; ///< of the host's barycentric coordinates 1 to 3, now [1/m]
+    Padded direction;                ///< current, unit
+    std::array<Padded, 3> gradients; ///< of the host's barycentric coordinates 1 to 3, now [1/m]
+    Padded force;                    ///< N times direction: on P_0, its opposite on P_1 [N]
   };
   struct Joint {
-    Vec3 force;                         ///< on tet_a, its opposite on tet_b [N]
+    Padded r;                           ///< unit mean direction of the two bar elements
+    Padded across_1, across_2;          ///< unit vectors normal to r and to each other
+    double axial = 0;                   ///< d.r, with d = x_PB - x_PA [m]
+    double t_1 = 0, t_2 = 0;            ///< half of d along across_1 and across_2: t_v of the theory [m]
+    double may_separate = 0;            ///< 0 where the faces are surely intact, else 1
     std::array<double, 4> w_a{}, w_b{}; ///< weights of the point of attack in both tets as they are now
-    double axial = 0;                   ///< sigma A_s [N]
+    Padded force;                       ///< on tet_a, its opposite on tet_b [N]
+    double pull = 0;                    ///< sigma A_s [N]
   };
   /// One force that acts on a host tet.
   struct Entry {
@@ -70,6 +83,9 @@ struct BarScratch {
   };
   std::vector<Element> element;
   std::vector<Joint> joint;
+  std::vector<ElementLanes> element_lanes; ///< of eight elements each
+  std::vector<BarJointLanes> joint_lanes;  ///< of eight joints each
+  std::vector<CrossingLanes> crossing_lanes;
   std::vector<Host> hosts; ///< by tet
   std::vector<Entry> entries;
 };
