@@ -87,7 +87,7 @@ verify: build
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/verification.csv --jobs $(JOBS)
 
 # The property tests with as many random cases, and the free vibration with as many steps, as was promised: a quarter
-# of an hour.
+# of an hour of one core.
 RANDOM_CASES ?= 100000
 properties: setup-tests
 	cmake --preset release -B $(BUILD) -DFISSURA_TESTS=ON

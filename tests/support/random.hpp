@@ -35,7 +35,7 @@ class Random {
   std::uint64_t state;
 };
 
-/// `few` cases in ctest, or as many as the environment variable FISSURA_RANDOM asks for (`make validate`).
+/// `few` cases in ctest, or as many as the environment variable FISSURA_RANDOM asks for (`make properties`).
 inline int random_count(int few) {
   char const* const wanted = std::getenv("FISSURA_RANDOM");
   int const n = wanted ? std::atoi(wanted) : 0;

@@ -1,5 +1,5 @@
 // Properties of the joints of the concrete on any path with any parameters that make sense: what is lost
-// stays lost, nothing leaves its bounds, nothing jumps. Some hundred paths here, 10^5 in `make validate`
+// stays lost, nothing leaves its bounds, nothing jumps. Some hundred paths here, 10^5 in `make properties`
 // (FISSURA_RANDOM).
 #include <gtest/gtest.h>
 

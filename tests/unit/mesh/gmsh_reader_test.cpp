@@ -228,6 +228,18 @@ TEST(ReadGmsh, refuses_bad_files) {
   expect_part(refusal(good.path, 0), "length unit 0 m");
 }
 
+// Requirement: a file that puts a tet into two physical volumes, or names more groups than any mesh has, is
+// refused.
+TEST(ReadGmsh, refuses_groups_that_cannot_be) {
+  std::string const two =
+      replaced(replaced(two_tets_4_1, "1\n3 1 \"concrete\"", "2\n3 1 \"concrete\"\n3 2 \"steel\""),
+               "1 0 0 0 1 1 1 1 1 0", "1 0 0 0 1 1 1 2 1 2 0");
+  expect_part(refusal_of("a.msh", two), "volume 1 belongs to the physical volumes 'concrete', 'steel'");
+  std::string many = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n100001\n";
+  for (int i = 0; i < 100001; ++i) many += "3 1 \"c\"\n";
+  expect_part(refusal_of("a.msh", many), "more than 100000 names");
+}
+
 // Requirement: elements other than first-order tets are refused with their count and type.
 TEST(ReadGmsh, refuses_other_elements) {
   std::string const hexahedra = replaced(block_geo, "Surface{1}; }", "Surface{1}; Layers{2}; Recombine; }");

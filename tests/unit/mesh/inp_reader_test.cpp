@@ -178,6 +178,20 @@ TEST(ReadInp, refuses_with_the_line) {
         << refusal(with(f.old_text, f.new_text)) << "\nexpected " << f.expected;
   EXPECT_NE(refusal("*NODE\n1, 0, 0, 0\n").find("the file has no tets"), std::string::npos);
   EXPECT_NE(refusal("").find("cannot be read (is it empty"), std::string::npos);
+  EXPECT_NE(refusal(with("*STEP", "*SOLID SECTION, ELSET=wood, MATERIAL=STEEL\n*STEP"))
+                .find("*SOLID SECTION: there is no element set \"wood\""),
+            std::string::npos);
+}
+
+// Requirement: a length unit that is none is refused, whatever the file holds.
+TEST(ReadInp, refuses_a_length_unit_of_zero) {
+  try {
+    read(two_tets, 0);
+    ADD_FAILURE() << "accepted";
+  } catch (core::InputError const& e) {
+    EXPECT_NE(std::string(e.what()).find("length unit 0 m: it must be positive"), std::string::npos)
+        << e.what();
+  }
 }
 
 // Requirement: sets that name others many times over are refused before they fill the memory: some millions

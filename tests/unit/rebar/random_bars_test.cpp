@@ -1,5 +1,5 @@
 // Bars at random through meshes at random: whatever way a bar takes, all of it is there. Some dozen here,
-// thousands in `make validate` (FISSURA_RANDOM).
+// 10^4 in `make properties` (FISSURA_RANDOM).
 #include <cmath>
 #include <numbers>
 
