@@ -584,6 +584,55 @@ TEST_F(DeckFiles, MissingDeck) {
   }
 }
 
+// A deck larger than any that somebody wrote is refused before it is read.
+TEST_F(DeckFiles, LargeDeck) {
+  write("large.toml", "title = \"large\"\n");
+  std::filesystem::resize_file(folder / "large.toml", (16U << 20U) + 1);
+  try {
+    deck::read_case(folder / "large.toml");
+    FAIL() << "accepted";
+  } catch (core::InputError const& e) {
+    EXPECT_NE(std::string(e.what()).find("large.toml: error: the deck is larger than 16 MiB"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+// A key may be quoted, but holds no control characters and is no book.
+TEST(Deck, UnreadableKeys) {
+  for (std::string const& key : std::vector<std::string>{"\"a\\u0007b\"", std::string(300, 'k')}) {
+    try {
+      read_case_text(std::string(small) + "\n[run2]\n" + key + " = 1\n", "s.toml");
+      FAIL() << "accepted";
+    } catch (core::InputError const& e) {
+      EXPECT_NE(std::string(e.what()).find("this key holds control characters or is too long"),
+                std::string::npos)
+          << e.what();
+    }
+  }
+}
+
+// A load given while a run is on its way is read as in a deck: a constant, a ramp; other keys are refused
+// with those there are.
+TEST(Deck, LoadCurves) {
+  EXPECT_EQ(deck::read_load_curve("\"2 kN\"", "force").value, 2e3);
+  auto const ramp = deck::read_load_curve("{value = \"3 mm\", over = \"0.5 s\"}", "displacement");
+  EXPECT_DOUBLE_EQ(ramp.value, 3e-3);
+  EXPECT_DOUBLE_EQ(ramp.over, 0.5);
+  auto const reason = [](char const* value, char const* key) -> std::string {
+    try {
+      deck::read_load_curve(value, key);
+    } catch (core::Error const& e) {
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(reason("1", "weight").find("a load has no `weight`: give displacement, velocity, force"),
+            std::string::npos);
+  EXPECT_NE(reason("\"1 mm\"", "force").find("mm is not a force"), std::string::npos)
+      << reason("\"1 mm\"", "force");
+}
+
 // docs/reference/deck.md is what the schema says today.
 TEST(DeckReference, IsCurrent) {
   std::string const file = FISSURA_EXAMPLES "/../docs/reference/deck.md";

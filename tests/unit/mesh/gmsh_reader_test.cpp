@@ -240,6 +240,13 @@ TEST(ReadGmsh, refuses_groups_that_cannot_be) {
   expect_part(refusal_of("a.msh", many), "more than 100000 names");
 }
 
+// Requirement: a file larger than any mesh is refused before it is read.
+TEST(ReadGmsh, refuses_a_file_of_many_gigabytes) {
+  Written const file("large.msh", two_tets_2_2);
+  std::filesystem::resize_file(file.path, (std::uintmax_t{8} << 30U) + 1); // takes no room on the disk
+  expect_part(refusal(file.path), "the mesh file is larger than 8 GiB");
+}
+
 // Requirement: elements other than first-order tets are refused with their count and type.
 TEST(ReadGmsh, refuses_other_elements) {
   std::string const hexahedra = replaced(block_geo, "Surface{1}; }", "Surface{1}; Layers{2}; Recombine; }");
