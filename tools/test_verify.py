@@ -18,7 +18,7 @@ import verify
 import verify_checks
 import verify_measures as measure
 import verify_runs
-from verify_page import write_page
+from verify_page import older_rows, write_page
 
 # A program that writes a run folder with a straight line in it: force = 0.9 of what the prism's theory says.
 PROGRAM = f"""#!{sys.executable}
@@ -158,6 +158,22 @@ class Table(unittest.TestCase):
             text = path.read_text()
         self.assertIn("2 rows, 1 outside their tolerance", text)
         self.assertIn("| 4.1 | 9 | 1 | **no** |", text)
+
+
+    def test_the_page_keeps_rows_that_are_not_computed_and_marks_them(self):
+        checks = [c for c in verify_checks.all_checks() if c.case == "elastic_tie"][:2]
+        rows = [[c.case, c.quantity, f"{c.reference:g}", f"{c.reference:g}", f"{c.tolerance:g}", "true"] for c in checks]
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "index.md"
+            write_page(path, rows, checks)
+            self.assertIn("All rows were computed by one build", path.read_text())
+            for _ in range(2):  # also from a page that has marks already
+                older = older_rows(path, checks[1:])
+                self.assertEqual(older, {checks[1]: [*rows[1][:2], f"{checks[1].reference:.6g}", rows[1][3], f"{checks[1].tolerance:.6g}", "true"]})
+                write_page(path, [rows[0], older[checks[1]]], checks, older)
+            text = path.read_text()
+        self.assertIn("1 rows were computed by one build; 1 rows of long cases, marked °", text)
+        self.assertEqual(text.count("° |"), 1)
 
 
 class Measures(unittest.TestCase):

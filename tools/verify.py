@@ -17,7 +17,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import verify_checks
 from fissura_io import BadFile
-from verify_page import write_page
+from verify_page import older_rows, write_page
 from verify_runs import ROOT, RunFailed, Runs
 
 HEAD = ["case", "quantity", "reference", "computed", "tolerance", "pass"]
@@ -57,7 +57,7 @@ def parse():
     parser.add_argument("--jobs", type=int, default=0, help="runs at a time (default: one per core)")
     parser.add_argument("--cached", action="store_true", help="run nothing; leave out rows whose runs are not there")
     parser.add_argument("--adopt", action="append", default=[], metavar="NAME=DIR", help="take a run folder made by hand")
-    parser.add_argument("--page", metavar="FILE", help="write the verification page")
+    parser.add_argument("--page", metavar="FILE", help="write the verification page; rows that are not computed now stay as they stand in it, marked as older")
     return parser.parse_args()
 
 
@@ -70,7 +70,8 @@ def main():
     except (RunFailed, KeyError, OSError) as error:
         sys.exit(f"verify: cannot adopt {error}")
 
-    checks = [c for c in verify_checks.all_checks() if not arguments.only or c.case in arguments.only]
+    every = verify_checks.all_checks()
+    checks = [c for c in every if not arguments.only or c.case in arguments.only]
     if not arguments.long:
         checks = [c for c in checks if not any(runs.specs[name].long for name in c.runs)]
     needed = list(dict.fromkeys(name for c in checks for name in c.runs))
@@ -90,7 +91,10 @@ def main():
         if trouble:
             print(f"{row[0]}, {row[1]}: {trouble}")
     if arguments.page:
-        write_page(arguments.page, rows, checks)
+        row_of = dict(zip(checks, rows))
+        older = older_rows(arguments.page, [c for c in every if c not in row_of])
+        shown = [c for c in every if c in row_of or c in older]
+        write_page(arguments.page, [row_of.get(c) or older[c] for c in shown], shown, older)
     failed = sum(row[5] != "true" for row in rows)
     print(f"{len(rows)} rows, {failed} failed: {arguments.out}")
     sys.exit(1 if failed else 0)
