@@ -11,25 +11,41 @@ export function mainPair(curves, gauges) {
   return { x, y };
 }
 
-export function rowOfPeak(values) {
+/** Means over `width` rows around each; at the ends over as many as there are. The shock of a crack lasts a row or two and is not
+ * the strength of a member. */
+export function means(values, width) {
+  const half = (width - 1) / 2;
+  return Array.from(values, (_, i) => {
+    const [from, to] = [Math.max(0, i - half), Math.min(values.length - 1, i + half)];
+    let sum = 0;
+    for (let k = from; k <= to; ++k) sum += values[k];
+    return sum / (to - from + 1);
+  });
+}
+
+function rowOfPeak(values) {
   let best = 0;
   for (let i = 0; i < values.length; ++i) if (Math.abs(values[i]) > Math.abs(values[best])) best = i;
   return best;
 }
+
+const MEAN = 5, ROWS_FOR_MEANS = 100;
 
 /** First row where a count has left zero, or -1. */
 export function firstRow(values) {
   return values ? values.findIndex((v) => v > 0) : -1;
 }
 
-/** [{row, name, text, shape, colour}] for the curve of column y. */
-export function events(curves, y) {
+/** [{row, value, name, text, shape, colour}] for the curve of column y. Values are means over five rows, but single readings in
+ * a dynamic case or a short history. */
+export function events(curves, y, dynamic = false) {
+  const values = means(curves.values(y) ?? [], dynamic || curves.rows < ROWS_FOR_MEANS ? 1 : MEAN);
   const list = [];
-  const add = (row, name, text, shape, colour) => row >= 0 && list.push({ row, name, text, shape, colour });
+  const add = (row, name, text, shape, colour) => row >= 0 && list.push({ row, value: values[row], name, text, shape, colour });
   add(firstRow(curves.values("joints_cracked")), "cracking", "first crack", "diamond", "#009e73");
   add(firstRow(curves.values("bar_joints_yielded")), "yield", "first yield", "triangle", "#e69f00");
   add(firstRow(curves.values("bars_broken")), "rupture", "first bar breaks", "triangle", "#8c5aa6");
-  if (curves.rows > 0) add(rowOfPeak(curves.values(y)), "peak", "peak", "circle", "#d55e00");
+  if (curves.rows > 0) add(rowOfPeak(values), "peak", "peak", "circle", "#d55e00");
   return list;
 }
 

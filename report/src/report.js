@@ -47,12 +47,12 @@ function figures(meta, curves) {
   const at = (row) => `at ${pair.x.replaceAll("_", " ")} ${quantity(curves.values(pair.x)[row], curves.find(pair.x).unit, 3, pair.x)}`;
   const list = [];
   const add = (name, value, note) => list.push(element("div.figure", element("span.name", name), element("span.value", value), element("span.note", note)));
-  const value = (row) => quantity(curves.values(pair.y)[row], curves.find(pair.y).unit, 3, pair.y);
+  const value = (event) => quantity(event.value, curves.find(pair.y).unit, 3, pair.y);
   const names = { peak: `peak ${pair.y.replaceAll("_", " ")}`, cracking: "first crack", yield: "first yield", rupture: "first bar breaks" };
-  const found = events(curves, pair.y);
+  const found = events(curves, pair.y, meta.deck.dynamic);
   for (const name of ["peak", "cracking", "yield", "rupture"]) {
     const event = found.find((e) => e.name === name);
-    if (event) add(names[name], value(event.row), at(event.row));
+    if (event) add(names[name], value(event), at(event.row));
   }
   const widest = meta.crack_table?.rows[0];
   if (widest) add("widest crack", quantity(widest.largest, "m"), `at t = ${quantity(widest.time, "s")}`);
@@ -88,7 +88,7 @@ function energyVerdict(run, curves) {
 function quasiStatic(meta, curves) {
   const ratio = kineticRatio(curves);
   const pair = mainPair(curves, meta.deck.gauges);
-  const peak = events(curves, pair.y).find((e) => e.name === "peak")?.row ?? -1;
+  const peak = events(curves, pair.y, meta.deck.dynamic).find((e) => e.name === "peak")?.row ?? -1;
   const counted = (ratio ?? []).slice(0, peak + 1).filter((r) => r !== null);
   const untilPeak = counted.length ? counted.filter((r) => r < 0.05).length / counted.length : null;
   const { run } = meta;
@@ -125,11 +125,11 @@ function loadSection(meta, curves, moment) {
   let plots = [];
   const redraw = () => {
     const x = shown(curves.find(choice.x)), y = shown(curves.find(choice.y)), t = shown(curves.find("time"));
-    const found = events(curves, choice.y);
+    const found = events(curves, choice.y, meta.deck.dynamic);
     const now = () => rowAt(curves.values("time"), moment.time);
-    const withUnit = (c, row) => `${digits(c.values[row], 3)}${c.unit ? "\u202f" + c.unit : ""}`;
-    const text = (e) => `${e.text}: ${withUnit(y, e.row)} at ${withUnit(x, e.row)}`;
-    const marks = (xs) => () => [...found.map((e) => ({ ...e, x: xs.values[e.row], y: y.values[e.row] })),
+    const withUnit = (c, value) => `${digits(value, 3)}${c.unit ? "\u202f" + c.unit : ""}`;
+    const text = (e) => `${e.text}: ${withUnit(y, e.value * y.factor)} at ${withUnit(x, x.values[e.row])}`;
+    const marks = (xs) => () => [...found.map((e) => ({ ...e, x: xs.values[e.row], y: e.value * y.factor })),
       { x: xs.values[now()], y: y.values[now()], shape: "ring", colour: "#1f2933" }];
     const said = [...found.map((e) => ({ ...e, text: text(e) })), { shape: "ring", colour: "#1f2933", text: "the moment of the 3-D view" }];
     const over = scatter("plot-load", { x: x.label, y: y.label, series: [{ x: x.values, y: y.values, label: y.name, colour: LINES[0] }], marks: marks(x), height: 340,

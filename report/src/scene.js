@@ -14,6 +14,7 @@ export function showScene(page, numbers, moment, state) {
   }
   const stage = element("div.stage"), legend = element("div.legend");
   box.append(stage);
+  stage.style.height = `${stageHeight(meta.scene.body, stage.clientWidth)}px`;
   let view;
   try {
     view = new View(stage, numbers);
@@ -96,6 +97,13 @@ export function showScene(page, numbers, moment, state) {
   box.append(element("p.note", `Drag to turn, wheel to zoom, right button to move. Cracks: joints with damage of 0.2 or more, midway between their faces.${left > 0 ? ` ${meta.frames.length} of ${meta.frames_saved} saved moments are in this page, to keep it small.` : ""}`));
   view.show(last);
   refresh();
+}
+
+/** Height of the view [px]: a slender body leaves no empty room above and below it. */
+function stageHeight({ low, high }, width) {
+  const [x, y, z] = low.map((l, k) => high[k] - l);
+  const seen = (z + 0.4 * Math.min(x, y)) / (Math.max(x, y) + 0.45 * Math.min(x, y)); // height over width of the oblique view
+  return Math.round(Math.min(540, Math.max(340, width * seen + 170)));
 }
 
 /** A factor of 1, 2 or 5 times a power of ten. */
