@@ -139,13 +139,12 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
     fields = io.read_vtu(files[0])
     moved = fields.point_data.get("displacement", np.zeros_like(fields.points))
     extent = np.ptp(fields.points, axis=0)
-    if warp == "auto":
-        warp = natural_warp(np.linalg.norm(moved, axis=1), extent.max())
-    warp = float(warp)
+    natural = natural_warp(np.linalg.norm(moved, axis=1), extent.max())
+    warp = natural if warp == "auto" else float(warp)
     at = {p.tobytes(): u for p, u in zip(fields.points + 0.0, moved)}
 
-    def deformed(grid):
-        return grid.points + warp * displacement_at(grid, fields, at)
+    def deformed(grid, factor=warp):
+        return grid.points + factor * displacement_at(grid, fields, at)
 
     faces, cells, colours = fragment_faces(fields) if fragments else (*outer_faces(fields), None)
     groups = fields.cell_data.get("group", np.zeros(fields.types.size, int))
@@ -157,9 +156,9 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
         triangles, which = grid.cells(io.TRIANGLE)
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
         opening = grid.cell_data["opening"][which]
-        drawn = deformed(grid)[triangles]
-        shown = (damage >= minimum_damage) & wide_enough(1e3 * opening, least) & ~is_gap(grid.points[triangles], drawn, opening)
-        scene.cracks = np.concatenate([scene.cracks, drawn[shown]])
+        usual = deformed(grid, min(warp, natural))[triangles]  # larger factors stretch everything
+        shown = (damage >= minimum_damage) & wide_enough(1e3 * opening, least) & ~is_gap(grid.points[triangles], usual, opening)
+        scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
         scene.value = np.append(scene.value, factor * grid.cell_data[colour_by][which][shown])
     for part in run.frame("bars", moment)[1]:
         grid = io.read_vtu(part)

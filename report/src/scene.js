@@ -27,7 +27,7 @@ export function showScene(page, numbers, moment, state) {
   const clock = element("div.clock");
   stage.append(clock);
 
-  const natural = view.naturalScale();
+  const { natural } = view;
   view.options.scale = natural;
   const last = view.times.length - 1;
   const pieces = view.body.fragment?.some((f) => f > 0);

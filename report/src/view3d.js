@@ -93,6 +93,7 @@ export class View {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener("change", () => this.draw());
     this.measure();
+    this.natural = this.naturalScale();
     this.makeBody();
     this.makeCracks();
     this.makeBars();
@@ -309,14 +310,16 @@ export class View {
     const position = cracks.geometry.getAttribute("position"), colour = cracks.geometry.getAttribute("color");
     const end = this.times[this.times.length - 1] || 1;
     let n = 0;
+    const test = new Float32Array(9), testScale = Math.min(options.scale, this.natural); // larger factors stretch everything
     for (let j = 0; j < shown; ++j) {
       const width = opening[j] * scale;
       if (width < options.least || width > 0.5 * cracks.edge[j]) continue; // faces that far apart: room between pieces
       const rgb = options.cracks === "mode" ? linear(modeColour(cracks.mode[j]))
         : options.cracks === "time" ? crackTable.at(1 - (cracks.failed[j] > 0 ? cracks.failed[j] : end) / end)
         : crackTable.at(this.crackShare(width));
+      for (let k = 0; k < 9; ++k) test[k] = cracks.points[9 * j + k] + testScale * u[9 * j + k];
+      if (meanEdge(test, 0) > 1.5 * cracks.edge[j]) continue; // halfway between two pieces that turn: no crack either
       for (let k = 0; k < 9; ++k) position.array[9 * n + k] = cracks.points[9 * j + k] + options.scale * u[9 * j + k];
-      if (meanEdge(position.array, 9 * n) > 1.5 * cracks.edge[j]) continue; // halfway between two pieces that turn: no crack either
       for (let k = 0; k < 9; ++k) colour.array[9 * n + k] = rgb[k % 3];
       ++n;
     }

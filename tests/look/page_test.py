@@ -93,7 +93,7 @@ class Page(unittest.TestCase):
         self.fresh(self.finished / "report.html")
         look = "window.fissura.view.picture()"
         seen = [self.browser.evaluate(look)]
-        for change in ("view.show(1)", "view.show(view.times.length - 1), view.set({scale: 300})", "view.look('front')", "view.set({concrete: 'solid'})",
+        for change in ("view.show(1)", "view.show(view.times.length - 1), view.set({scale: 2 * view.natural})", "view.look('front')", "view.set({concrete: 'solid'})",
                        "view.set({cracks: 'mode', concrete: 'glass'})"):
             self.browser.evaluate(f"(() => {{ const view = window.fissura.view; {change}; }})()")
             seen.append(self.browser.evaluate(look))

@@ -24,6 +24,7 @@ class Stops {
   struct Watch {
     model::StopSpec spec;
     int gauge;
+    std::string unit;
     std::array<double, 5>
         last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
     std::size_t readings = 0;
