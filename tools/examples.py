@@ -102,7 +102,7 @@ def write_picture(example, run, runs, name, path):
         if broken.size:
             times = [t for t in times if t < run.history["time"].values[broken[0]]]
     moment, scene = picture.make_scene(run, times[-1], "auto", 0.5, example.fragments)
-    picture.draw(scene, moment, name, 2, path)
+    picture.draw(scene, moment, run.title, 2, path)
     shrink(path)
 
 

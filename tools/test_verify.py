@@ -172,8 +172,13 @@ class Table(unittest.TestCase):
                 self.assertEqual(older, {checks[1]: [*rows[1][:2], f"{checks[1].reference:.6g}", rows[1][3], f"{checks[1].tolerance:.6g}", "true"]})
                 write_page(path, [rows[0], older[checks[1]]], checks, older)
             text = path.read_text()
-        self.assertIn("1 rows were computed by one build; 1 rows of long cases, marked °", text)
-        self.assertEqual(text.count("° |"), 1)
+            older = older_rows(path, checks)
+            write_page(path, [older[c] for c in checks], checks, older)
+            all_older = path.read_text()
+        self.assertIn("1 rows were computed by one build; 1 are older", text)
+        self.assertEqual((text.count("° |"), text.count("*Computed by an earlier build.*")), (1, 0))
+        self.assertIn("0 rows were computed by one build; 2 are older", all_older)
+        self.assertEqual((all_older.count("° |"), all_older.count("*Computed by an earlier build.*")), (0, 1))
 
 
 class Measures(unittest.TestCase):

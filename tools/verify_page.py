@@ -16,6 +16,7 @@ Rows without tolerance are information. The misprints of the paper are in [the e
 are reconstructed, and each [example](../../examples) says which.
 """
 OLDER = " °"  # behind a computed value
+EARLIER = "*Computed by an earlier build.*"
 
 
 def figure_file(name):
@@ -53,8 +54,8 @@ def older_rows(path, checks):
 def age(rows, older):
     if not older:
         return "All rows were computed by one build.\n"
-    return (f"{len(rows) - len(older)} rows were computed by one build; {len(older)} rows of long cases, marked{OLDER}, are older: they were computed by "
-            "earlier builds and stand until their case is run again.\n")
+    return (f"{len(rows) - len(older)} rows were computed by one build; {len(older)} are older (whole sections that say so, and rows marked{OLDER}): earlier "
+            "builds computed them, and they stand until their case is run again.\n")
 
 
 def write_page(path, rows, checks, older=()):
@@ -66,10 +67,11 @@ def write_page(path, rows, checks, older=()):
         of_case = [(r, c) for r, c in zip(rows, checks) if r[0] == name]
         if not of_case:
             continue
-        lines += [f"## {case.title}", "", case.about, "", "| quantity | paper | reference | computed | tolerance | within |",
+        all_older = all(c in older for _, c in of_case)
+        lines += [f"## {case.title}", "", case.about, *(["", EARLIER] if all_older else []), "", "| quantity | paper | reference | computed | tolerance | within |",
                   "|---|---|---|---|---|---|"]
         for row, check in of_case:
-            mark = OLDER if check in older else ""
+            mark = OLDER if check in older and not all_older else ""
             within = "" if row[4] == "inf" else "yes" if row[5] == "true" else "**no**"
             lines.append(f"| {row[1]} | {check.paper} | {shown(row[2])} | {shown(row[3])}{mark} | {shown(row[4])} | {within} |")
         lines.append("")
