@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "fissura/core/error.hpp"
 
@@ -151,6 +157,50 @@ TEST(Record, refuses_files_that_are_not_there) {
   } catch (core::InputError const& e) {
     EXPECT_STREQ(e.what(), "case.toml:12:3: error: there is no record \"/nowhere/quake.txt\"");
   }
+  auto const huge = std::filesystem::temp_directory_path() / ("fissura_huge_" + std::to_string(::getpid()));
+  std::ofstream(huge) << "0 0\n1 0\n";
+  std::filesystem::resize_file(huge, (64U << 20U) + 1); // takes no room on the disk
+  spec.file = huge.string();
+  try {
+    read_record(spec);
+    ADD_FAILURE();
+  } catch (core::InputError const& e) {
+    EXPECT_EQ(std::string(e.what()), spec.file + ": error: the record is larger than 64 MiB");
+  }
+  std::filesystem::remove(huge);
+}
+
+// Requirement: so is one with more values than any quake has, before they fill the memory.
+TEST(Record, refuses_more_values_than_fit) {
+  RecordSpec spec;
+  spec.time_step = 0.01, spec.time_column = 0, spec.acceleration_column = 0;
+  std::string text;
+  for (int i = 0; i < 5000001; ++i) text += "0\n";
+  try {
+    parsed(text, spec);
+    ADD_FAILURE();
+  } catch (core::InputError const& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("quake.txt:5000001:1: error: the record has more than 5000000 values"),
+        std::string::npos)
+        << e.what();
+  }
+}
+
+// Requirement: a file is read from the disk as its text would be, and gives a curve that starts when it is
+// told to.
+TEST(Record, gives_a_curve_of_displacements) {
+  auto const file = std::filesystem::temp_directory_path() / ("fissura_record_" + std::to_string(::getpid()));
+  std::ofstream(file) << "0 0\n1 2\n2 0\n";
+  RecordSpec spec;
+  spec.file = file.string(), spec.unit = 3;
+  auto const r = read_record(spec);
+  std::filesystem::remove(file);
+  auto const c = displacement_curve(r, 10);
+  EXPECT_EQ(c.times, (std::vector<double>{10, 11, 12}));
+  EXPECT_DOUBLE_EQ(c.values[1], 1); // a ramp of 6 m/s3: 6/6
+  EXPECT_DOUBLE_EQ(c.slopes[1], 3);
+  EXPECT_DOUBLE_EQ(c.slopes[2], 6);
 }
 
 } // namespace
