@@ -1,6 +1,7 @@
 // Energy of the cohesive laws: work put in = stored + dissipated, on any path.
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/laws/softening.hpp"
+#include "support/cohesive_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +10,8 @@
 #include <vector>
 
 namespace {
+using namespace fissura;
 using namespace fissura::laws;
-
-CohesiveInput concrete(bool mohr_coulomb, CohesiveLaw law = CohesiveLaw::energy_consistent) {
-  CohesiveInput in;
-  in.p = 3e12, in.h = 0.02, in.f_t = 3e6, in.G_f = 100, in.G_s = 300;
-  in.mohr_coulomb = mohr_coulomb, in.f_s = 6e6, in.cohesion = 6e6, in.friction_angle = 0.6283, in.law = law;
-  return in;
-}
 
 /// Drives one point along straight legs and keeps its accounts [J/m2].
 struct Driver {
@@ -60,7 +55,7 @@ double failing_sliding(CohesiveParams const& p) {
 // A joint pulled to failure takes G_f + (2/3) f_t o_p within 0.1 %, and books it as mode I.
 TEST(CohesiveEnergy, WorkToFailureInTension) {
   for (auto law : {CohesiveLaw::energy_consistent, CohesiveLaw::paper}) {
-    Driver d{make_cohesive_params(concrete(false, law))};
+    Driver d{make_cohesive_params(support::cohesive_input(false, law))};
     double const expected = 100 + 2.0 / 3 * 3e6 * 4e-8; // 100.08 J/m2
     d.go({1.001 * critical_opening(d.p), 0, 0}, 20000);
     EXPECT_NEAR(d.work, expected, 1e-3 * expected);
@@ -72,12 +67,12 @@ TEST(CohesiveEnergy, WorkToFailureInTension) {
 
 // The same in shear: G_s + (2/3) f_s s_p with the parabola, G_s + (1/2) f_s s_p with the straight line.
 TEST(CohesiveEnergy, WorkToFailureInShear) {
-  Driver a{make_cohesive_params(concrete(false))};
+  Driver a{make_cohesive_params(support::cohesive_input(false))};
   double const s_a = 2 * 6e6 / a.p.k;
   a.go({0, 0, 1.001 * failing_sliding(a.p)}, 20000);
   EXPECT_NEAR(a.work, 300 + 2.0 / 3 * 6e6 * s_a, 0.3);
   EXPECT_NEAR(a.lost.mode_II, a.work, 0.01);
-  Driver b{make_cohesive_params(concrete(true))};
+  Driver b{make_cohesive_params(support::cohesive_input(true))};
   double const s_b = 6e6 / b.p.k;
   b.go({0, 1.001 * failing_sliding(b.p), 0}, 20000);
   EXPECT_NEAR(b.work, 300 + 0.5 * 6e6 * s_b, 0.3);
@@ -86,7 +81,7 @@ TEST(CohesiveEnergy, WorkToFailureInShear) {
 
 // The customary range 3 G_f/f_t dissipates 1.159 G_f, which is why it is only an option.
 TEST(CohesiveEnergy, CustomaryRangeDissipatesTooMuch) {
-  auto in = concrete(false);
+  auto in = support::cohesive_input(false);
   in.range = CohesiveRange::y3d;
   Driver d{make_cohesive_params(in)};
   d.go({1.001 * critical_opening(d.p), 0, 0}, 20000);
@@ -134,7 +129,7 @@ Findings wander(CohesiveParams const& p, unsigned seed, int steps) {
 // options, friction on.
 TEST(CohesiveEnergy, NoPathCreatesEnergy) {
   for (bool mc : {false, true}) {
-    auto const p = make_cohesive_params(concrete(mc));
+    auto const p = make_cohesive_params(support::cohesive_input(mc));
     double coarse = 0, fine = 0;
     for (unsigned seed = 0; seed < 12; ++seed) {
       Findings const a = wander(p, seed, 2000), b = wander(p, seed, 16000);
@@ -161,14 +156,14 @@ double loop_work(CohesiveParams const& p, double kappa, double fraction_o, doubl
 
 // The default law gives back exactly nothing on closed loops at constant damage.
 TEST(CohesiveEnergy, ClosedLoopsOfTheDefaultLaw) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   for (double kappa : {0.1, 0.3, 0.6}) EXPECT_NEAR(loop_work(p, kappa, 0.6, 0.6), 0, 1e-6);
 }
 
 // Documentation of a known defect: the law of the paper, run round the other way, creates 10-18 J/m2 of G_f =
 // 100.
 TEST(CohesiveEnergy, PaperLawCreatesEnergyInMixedMode) {
-  auto const p = make_cohesive_params(concrete(false, CohesiveLaw::paper));
+  auto const p = make_cohesive_params(support::cohesive_input(false, CohesiveLaw::paper));
   EXPECT_NEAR(std::abs(loop_work(p, 0.1, 0.6, 0.6)), 10.657, 0.02);
   EXPECT_NEAR(std::abs(loop_work(p, 0.3, 0.6, 0.6)), 18.488, 0.02);
   EXPECT_NEAR(std::abs(loop_work(p, 0.6, 0.6, 0.6)), 17.267, 0.02);
@@ -181,7 +176,7 @@ TEST(CohesiveEnergy, PaperLawCreatesEnergyInMixedMode) {
 
 // In pure modes the balance of the paper's law closes, with unloading and reloading.
 TEST(CohesiveEnergy, PaperLawBalancesInPureModes) {
-  Driver d{make_cohesive_params(concrete(false, CohesiveLaw::paper))};
+  Driver d{make_cohesive_params(support::cohesive_input(false, CohesiveLaw::paper))};
   double const o = critical_opening(d.p);
   for (double x : {0.2, 0.0, 0.5, 0.1, 0.7, -1e-4, 1.01}) d.go({x * o, 0, 0}, 8000);
   EXPECT_NEAR(d.imbalance(), 0, 0.01);
@@ -212,7 +207,7 @@ double jump_at_breakage(CohesiveParams const& p, Separation from, Separation to,
 // pressure.
 TEST(CohesiveEnergy, ContinuousAtBreakage) {
   for (bool mc : {false, true}) {
-    auto const p = make_cohesive_params(concrete(mc));
+    auto const p = make_cohesive_params(support::cohesive_input(mc));
     double const o = 1.01 * critical_opening(p), s = 1.2 * failing_sliding(p), pressed = -5e6 / p.k;
     EXPECT_LT(jump_at_breakage(p, {}, {o, 0, 0}, 20000), 1e-3 * p.f_t);
     EXPECT_LT(jump_at_breakage(p, {}, {0, s, 0}, 20000), 1e-3 * p.f_s);
@@ -223,7 +218,7 @@ TEST(CohesiveEnergy, ContinuousAtBreakage) {
 // The stiffness that the stable step counts with is never exceeded, with damage, friction and breakage.
 TEST(CohesiveEnergy, SlopeNeverExceedsK) {
   for (bool mc : {false, true}) {
-    auto in = concrete(mc);
+    auto in = support::cohesive_input(mc);
     in.h = 0.3, in.p = 6e11; // a coarse mesh: friction spring and cohesion act together
     Driver d{make_cohesive_params(in)};
     double worst = 0;
@@ -272,7 +267,7 @@ struct RateDriver {
 };
 
 CohesiveParams rate_dependent(bool mohr_coulomb, CohesiveLaw law = CohesiveLaw::energy_consistent) {
-  auto in = concrete(mohr_coulomb, law);
+  auto in = support::cohesive_input(mohr_coulomb, law);
   in.straight = true;
   return make_cohesive_params(in);
 }

@@ -5,16 +5,11 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/laws/softening.hpp"
+#include "support/cohesive_input.hpp"
 
 namespace {
+using namespace fissura;
 using namespace fissura::laws;
-
-CohesiveInput concrete(bool mohr_coulomb, CohesiveLaw law = CohesiveLaw::energy_consistent) {
-  CohesiveInput in;
-  in.p = 3e12, in.h = 0.02, in.f_t = 3e6, in.G_f = 100, in.G_s = 300;
-  in.mohr_coulomb = mohr_coulomb, in.f_s = 6e6, in.cohesion = 6e6, in.friction_angle = 0.6283, in.law = law;
-  return in;
-}
 
 Traction at(CohesiveParams const& p, CohesiveHistory& h, Separation s, bool broken = false) {
   Dissipation lost;
@@ -23,18 +18,18 @@ Traction at(CohesiveParams const& p, CohesiveHistory& h, Separation s, bool brok
 
 // The derived lengths follow Eq. 13 and the exact softening range.
 TEST(Cohesive, DerivedParameters) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   EXPECT_DOUBLE_EQ(p.k, 1.5e14);
   EXPECT_DOUBLE_EQ(p.o_p, 4e-8);
   EXPECT_NEAR(p.o_r, 100 / 0.386307294744 / 3e6, 1e-16);
-  auto in = concrete(false);
+  auto in = support::cohesive_input(false);
   in.range = CohesiveRange::y3d;
   EXPECT_DOUBLE_EQ(make_cohesive_params(in).o_r, 3 * 100 / 3e6);
 }
 
 // Before damage the tension branch is the parabola of Eq. 13 and compression is linear.
 TEST(Cohesive, TensionBeforeThePeak) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   CohesiveHistory h;
   double const x = 0.3;
   EXPECT_NEAR(at(p, h, {x * p.o_p, 0, 0}).sigma, p.f_t * (2 * x - x * x), 1e-6);
@@ -45,7 +40,8 @@ TEST(Cohesive, TensionBeforeThePeak) {
 
 // Shear before damage: a parabola for a constant strength, straight line for Mohr-Coulomb, along the sliding.
 TEST(Cohesive, ShearBeforeThePeak) {
-  auto const a = make_cohesive_params(concrete(false)), b = make_cohesive_params(concrete(true));
+  auto const a = make_cohesive_params(support::cohesive_input(false)),
+             b = make_cohesive_params(support::cohesive_input(true));
   CohesiveHistory h;
   double const s_p = 2 * 6e6 / a.k, s = 0.4 * s_p;
   auto const t = at(a, h, {0, 0.6 * s, 0.8 * s});
@@ -58,7 +54,7 @@ TEST(Cohesive, ShearBeforeThePeak) {
 // In pure tension and pure shear both laws give z(D) times the strength (Eqs. 14-18).
 TEST(Cohesive, SofteningInPureModes) {
   for (auto law : {CohesiveLaw::energy_consistent, CohesiveLaw::paper}) {
-    auto const p = make_cohesive_params(concrete(false, law));
+    auto const p = make_cohesive_params(support::cohesive_input(false, law));
     double const s_p = 2 * p.f_s / p.k, s_r = p.shear_work / p.f_s;
     for (double D : {0.01, 0.2, 0.7}) {
       CohesiveHistory h, g;
@@ -72,7 +68,7 @@ TEST(Cohesive, SofteningInPureModes) {
 
 // Damage in both modes adds as a root of squares (Eq. 19) and is remembered after unloading.
 TEST(Cohesive, MixedDamageIsRemembered) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   double const s_p = 2 * p.f_s / p.k, s_r = p.shear_work / p.f_s;
   CohesiveHistory h;
   at(p, h, {p.o_p + 0.3 * p.o_r, s_p + 0.4 * s_r, 0});
@@ -85,7 +81,7 @@ TEST(Cohesive, MixedDamageIsRemembered) {
 
 // Damage does not weaken a joint in compression.
 TEST(Cohesive, NoDamageInCompression) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   CohesiveHistory h;
   at(p, h, {p.o_p + 0.5 * p.o_r, 0, 0});
   EXPECT_NEAR(at(p, h, {-2e-8, 0, 0}).sigma, -1.5e14 * 2e-8, 1e-6);
@@ -93,7 +89,7 @@ TEST(Cohesive, NoDamageInCompression) {
 
 // Well past 5 % damage unloading of the default law is straight to the origin.
 TEST(Cohesive, UnloadingIsSecant) {
-  auto const p = make_cohesive_params(concrete(false));
+  auto const p = make_cohesive_params(support::cohesive_input(false));
   CohesiveHistory h;
   double const o = p.o_p + 0.3 * p.o_r, sigma = at(p, h, {o, 0, 0}).sigma;
   EXPECT_NEAR(at(p, h, {0.5 * o, 0, 0}).sigma, 0.5 * sigma, 1e-6);
@@ -101,7 +97,7 @@ TEST(Cohesive, UnloadingIsSecant) {
 
 // Under pressure the Mohr-Coulomb strength grows by tan(phi), and the value at first damage stays.
 TEST(Cohesive, MohrCoulombStrengthIsFrozen) {
-  auto const p = make_cohesive_params(concrete(true));
+  auto const p = make_cohesive_params(support::cohesive_input(true));
   double const pressure = 10e6, o = -pressure / p.k, f_s = 6e6 + pressure * std::tan(0.6283);
   CohesiveHistory h;
   at(p, h, {o, 0.999 * f_s / p.k, 0});
@@ -116,7 +112,7 @@ TEST(Cohesive, MohrCoulombStrengthIsFrozen) {
 // Once cohesion is gone the crack faces carry mu times the pressure and no more.
 TEST(Cohesive, FrictionOfACrackFacePair) {
   for (bool mc : {false, true}) {
-    auto const p = make_cohesive_params(concrete(mc));
+    auto const p = make_cohesive_params(support::cohesive_input(mc));
     CohesiveHistory h;
     Dissipation lost;
     double const o = -5e6 / p.k, end = 1e-3;
@@ -139,7 +135,7 @@ TEST(Cohesive, FrictionOfACrackFacePair) {
 
 // A broken joint carries neither tension nor shear when open.
 TEST(Cohesive, OpenCrackCarriesNothing) {
-  auto const p = make_cohesive_params(concrete(true));
+  auto const p = make_cohesive_params(support::cohesive_input(true));
   CohesiveHistory h;
   h.kappa = 1, h.z = 0, h.f_s = 6e6;
   auto const t = at(p, h, {1e-5, 3e-5, -2e-5}, true);
@@ -150,7 +146,7 @@ TEST(Cohesive, OpenCrackCarriesNothing) {
 
 // A joint declared uncrackable is linear however far it opens, and keeps no history.
 TEST(Cohesive, UncrackableIsLinear) {
-  auto in = concrete(true);
+  auto in = support::cohesive_input(true);
   in.crackable = false;
   auto const p = make_cohesive_params(in);
   CohesiveHistory h;
@@ -173,7 +169,7 @@ TEST(Cohesive, ModeFromDissipation) {
 // A parameter outside its range is refused with its name.
 TEST(Cohesive, BadParametersAreNamed) {
   auto refuse = [](auto change, char const* name) {
-    auto in = concrete(true);
+    auto in = support::cohesive_input(true);
     change(in);
     try {
       make_cohesive_params(in);
