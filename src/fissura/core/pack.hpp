@@ -110,7 +110,7 @@ template <class V> inline V absolute(V a) {
 template <class V, class M> inline V choose(M condition, V a, V b) {
   if constexpr (std::is_same_v<V, double>) return condition ? a : b;
 #if defined(__AVX512F__) && defined(__clang__)
-  // Compiled by clang, libstdc++ 12 takes one choice for all lanes here (a FIXME of its _S_blend_avx512).
+  // Compiled by clang, libstdc++ 12 takes one choice for all lanes here: a defect of its _S_blend_avx512.
   else if constexpr (lanes<V> == 8)
     return V(_mm512_mask_blend_pd(static_cast<__mmask8>(condition.__to_bitset().to_ulong()),
                                   static_cast<__m512d>(b), static_cast<__m512d>(a)));

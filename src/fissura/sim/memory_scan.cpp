@@ -1,6 +1,8 @@
 // Every number of the state outside of the nodes, field by field, through one list.
 #include <cstring>
 #include <fmt/core.h>
+#include <type_traits>
+#include <vector>
 
 #include "fissura/core/finite.hpp"
 #include "fissura/parallel/parallel.hpp"
@@ -22,8 +24,11 @@ template <class... Numbers> bool finite(Numbers... x) {
 bool finite(Vec3 const& v) {
   return finite(v.x, v.y, v.z);
 }
-bool finite(std::vector<double> const& v) {
-  return core::all_finite(v.data(), v.size());
+/// Of a list of numbers, or of structs of numbers.
+template <class Struct> bool all_finite(std::vector<Struct> const& list) {
+  static_assert(std::is_trivially_copyable_v<Struct> && sizeof(Struct) % sizeof(double) == 0);
+  return core::all_finite(reinterpret_cast<double const*>(list.data()),
+                          list.size() * sizeof(Struct) / sizeof(double));
 }
 
 // ---- joints -------------------------------------------------------------------------------------
@@ -118,8 +123,11 @@ std::optional<Spot> find_in_bars(Model const& m, State const& s) {
 
 bool bars_are_finite(State const& s) {
   auto const& b = s.bars;
-  bool good = finite(b.elongation) && finite(b.element_stress);
-  for (std::size_t i = 0; i < b.history.size(); ++i) good &= bar_joint_is_finite(b, i);
+  bool good = all_finite(b.elongation) && all_finite(b.element_stress) && all_finite(b.motion) &&
+              all_finite(b.account) && all_finite(b.joint_stress) && all_finite(b.joint_strain) &&
+              all_finite(b.slip) && all_finite(b.normalised_slip) && all_finite(b.dowel_force);
+  for (std::size_t i = 0; i < b.history.size(); ++i)
+    if (b.is_activated(i)) good &= finite(b.history[i]);
   return good;
 }
 
