@@ -11,19 +11,8 @@
 #include "memory_limit.hpp"
 #include "unit/checkpoint/state_at_random.hpp"
 
-namespace {
-
-fissura::model::Model small_model() {
-  fissura::model::Model m;
-  m.tets.count = 4;
-  m.rigid.resize(2), m.paths.resize(2), m.stages.resize(3);
-  return m;
-}
-
-} // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
-  static auto const model = small_model();
+  static auto const model = fissura::checkpoint::testing::model_of_states();
   if (size < 1) return 0;
   std::string_view bytes(reinterpret_cast<char const*>(data) + 1, size - 1);
   auto state = fissura::checkpoint::testing::state_at_random(0);

@@ -1,9 +1,12 @@
 #pragma once
 // A state in which every field has a value of its own, made through the same description as a checkpoint.
+#include <array>
+#include <cstdint>
 #include <random>
 #include <string>
 
 #include "fissura/checkpoint/archive.hpp"
+#include "fissura/model/model.hpp"
 
 namespace fissura::checkpoint::testing {
 
@@ -49,6 +52,36 @@ inline state::State state_at_random(unsigned seed) {
   s.reaction.resize(2), s.prescribed_velocity.resize(2), s.held.resize(2), s.paths.resize(2);
   s.stage_start.resize(3);
   Randomizer(seed).fill(s);
+  return s;
+}
+
+/// Four tets, two rigid bodies, two paths without targets, three stages: what the states at random belong to.
+inline model::Model model_of_states() {
+  model::Model m;
+  m.tets.count = 4;
+  m.rigid.resize(2), m.paths.resize(2), m.stages.resize(3);
+  return m;
+}
+
+/// A state at random whose stage, joints, pairs and paths fit model_of_states().
+inline state::State sound_state_at_random(unsigned seed) {
+  auto s = state_at_random(seed);
+  s.stage = static_cast<int>(seed % 3);
+  using enum state::JointStatus;
+  std::array const status = {intact, damaged, broken, released, damaged, intact, released, broken};
+  std::array<std::uint8_t, 8> const lane = {9, 0, 2, 7, 3, 0, 6, 1};
+  for (std::size_t j = 0; j < status.size(); ++j) {
+    s.joint_status[j] = static_cast<std::uint8_t>(status[j]);
+    s.joint_history.lane[j] = lane[j];
+  }
+  std::array<std::array<int, 2>, 6> const pairs = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    s.contact.pairs[i].a = pairs[i][0], s.contact.pairs[i].b = pairs[i][1];
+  for (std::size_t i = 0; i < s.rigid.touch.size(); ++i) {
+    auto& t = s.rigid.touch[i];
+    t.tet = static_cast<int>(i), t.face = 1, t.point = 2, t.body = 1;
+  }
+  for (auto& path : s.paths) path.target = 0;
   return s;
 }
 
