@@ -3,13 +3,15 @@
 code 3 and names the file and the reason, and every file that was whole before is whole afterwards.
 
 Runs a small case again and again; in run n the shim makes the n-th such call below the run folder fail, until a
-run meets no n-th call any more.  fault_injection.py PROGRAM SHIM [--stays] [--errno NAME]
+run meets no n-th call any more; then the same while a run goes on from a checkpoint, which must go on from it
+again afterwards.  fault_injection.py PROGRAM SHIM [--stays] [--errno NAME]
 """
 import argparse
 import errno
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -18,10 +20,13 @@ import xml.etree.ElementTree as xml
 CASE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'case.toml')
 
 
-def run(program, out, environment, *arguments, **options):
-    return subprocess.run([program, 'run', CASE, '--out', out, '--quiet', '--threads', '1', *arguments],
+STOPS = ('--set', 'run.max_steps=45')
+
+
+def run(program, out, environment, *arguments, begin='--out'):
+    return subprocess.run([program, 'run', CASE, begin, out, '--quiet', '--threads', '1', *arguments],
                           env={**os.environ, **environment}, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          timeout=120, **options)
+                          timeout=120, cwd=os.path.dirname(out) if os.path.isdir(os.path.dirname(out)) else None)
 
 
 def is_whole_vtu(path):
@@ -61,33 +66,52 @@ def complaints(result, reason, stays, out):
     text = re.sub(r'\[fault [a-z]+\]\n', '', result.stderr)
     if reason not in text:
         found.append(f'the reason "{reason}" is not named')
-    if out not in text:
+    if out not in text and f"'{os.path.basename(out)}/" not in text:
         found.append('no file is named')
     found += [] if stays else broken_files(out)
     return found
 
 
-def sweep(program, shim, code, stays, step):
-    """Number of calls and the list of complaints."""
+def goes_on(program, out):
+    """What is wrong with the run folder that a failed call has left, seen by a run that goes on from it."""
+    again = run(program, out, {}, begin='--restart')
+    return [] if again.returncode == 0 else [f'cannot go on afterwards: exit code {again.returncode}: {again.stderr}']
+
+
+def sweep(program, shim, code, stays, step, stopped=None):
+    """Number of calls and the list of complaints: of a new run, or of one that goes on from a copy of `stopped`."""
     reason = os.strerror(code)
     bad, n = [], 1
     while True:
         with tempfile.TemporaryDirectory() as folder:
             folder = os.path.realpath(folder)
             out = os.path.join(folder, 'run')
+            if stopped:
+                shutil.copytree(stopped, out)
             environment = {'LD_PRELOAD': shim, 'FISSURA_FAULT_FOLDER': out, 'FISSURA_FAULT_CALL': str(n),
                            'FISSURA_FAULT_ERRNO': str(code)}
             if stays:
                 environment['FISSURA_FAULT_STAYS'] = '1'
-            result = run(program, out, environment)
+            result = run(program, out, environment, begin='--restart' if stopped else '--out')
             call = re.search(r'\[fault ([a-z]+)\]', result.stderr)
             if not call:
                 if result.returncode != 0:
                     bad.append(f'without a fault: exit code {result.returncode}: {result.stderr}')
                 return n - 1, bad
-            for complaint in complaints(result, reason, stays, out):
+            found = complaints(result, reason, stays, out) + (goes_on(program, out) if stopped else [])
+            for complaint in found:
                 bad.append(f'call {n} ({call.group(1)}): {complaint}; it said: {result.stderr.strip()[-200:]}')
         n += step
+
+
+def sweep_restart(program, shim, code, stays, step):
+    """The same for a run that was stopped between two checkpoints and goes on."""
+    with tempfile.TemporaryDirectory() as folder:
+        stopped = os.path.join(os.path.realpath(folder), 'stopped')
+        begun = run(program, stopped, {}, *STOPS)
+        if begun.returncode != 0:
+            return 0, [f'the run to go on from: exit code {begun.returncode}: {begun.stderr}']
+        return sweep(program, shim, code, stays, step, stopped)
 
 
 def check_full_device(program):
@@ -123,11 +147,15 @@ def main():
     parser.add_argument('--errno', default='ENOSPC')
     parser.add_argument('--step', type=int, default=1, help='try every so manieth call only')
     arguments = parser.parse_args()
-    calls, bad = sweep(arguments.program, arguments.shim, getattr(errno, arguments.errno), arguments.stays, arguments.step)
-    bad += check_full_device(arguments.program)
-    print(f'{calls} calls, each made to fail with {arguments.errno}: {len(bad)} complaints')
+    program = os.path.abspath(arguments.program)
+    how = (program, os.path.abspath(arguments.shim), getattr(errno, arguments.errno), arguments.stays, arguments.step)
+    calls, bad = sweep(*how)
+    calls_on, bad_on = sweep_restart(*how)
+    bad += bad_on + check_full_device(program)
+    print(f'{calls} calls of a new run and {calls_on} of one that goes on, each made to fail with {arguments.errno}: '
+          f'{len(bad)} complaints')
     print('\n'.join(bad[:40]))
-    sys.exit(1 if bad or calls < 20 else 0)
+    sys.exit(1 if bad or min(calls, calls_on) < 20 else 0)
 
 
 if __name__ == '__main__':

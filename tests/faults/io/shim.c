@@ -17,7 +17,15 @@ static long calls = 0;
 
 static int is_below(char const* path) {
   char const* folder = getenv("FISSURA_FAULT_FOLDER");
-  return folder && path && strncmp(path, folder, strlen(folder)) == 0;
+  char whole[2 * PATH_MAX];
+  if (!folder || !path) return 0;
+  if (path[0] != '/') { /* a run that goes on names its files from the working folder on */
+    if (!getcwd(whole, PATH_MAX)) return 0;
+    strcat(whole, "/");
+    strncat(whole, path, PATH_MAX - 2);
+    path = whole;
+  }
+  return strncmp(path, folder, strlen(folder)) == 0;
 }
 
 static int is_descriptor_below(int descriptor) {
