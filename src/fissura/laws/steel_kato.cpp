@@ -91,7 +91,7 @@ double SteelKato::operator()(KatoHistory& h, double strain) const noexcept {
   double const elastic = h.sigma_v + p.E_s * (strain - h.eps_v);
   h.stress = h.direction < 0 ? unloading(p, h, strain, elastic) : loading(p, h, strain, elastic);
   h.strain = strain;
-  h.eps_max = std::max(h.eps_max, strain);
+  if (is_beyond_yield(p, strain)) h.eps_max = std::max(h.eps_max, strain);
   if (strain >= p.eps_br) h.ruptured = true, h.stress = 0;
   return h.stress;
 }

@@ -11,10 +11,10 @@
 namespace fissura::laws {
 
 struct KatoHistory {
-  double strain = 0, stress = 0;      ///< last evaluation [-], [Pa]
-  double eps_v = 0, sigma_v = 0;      ///< last reversal, start of the elastic line
-  double eps_max = 0;                 ///< largest strain so far
-  double eps_z = -1e30;               ///< largest strain at which an unloading line crossed zero stress
+  double strain = 0, stress = 0; ///< last evaluation [-], [Pa]
+  double eps_v = 0, sigma_v = 0; ///< last reversal, start of the elastic line
+  double eps_max = 0;            ///< largest strain so far beyond yield, as it was then; 0: never yielded
+  double eps_z = -1e30;          ///< largest strain at which an unloading line crossed zero stress
   double eps_pm = 1e30, share_pm = 0; ///< last compressive reversal; its stress over f_y, which may fall
   double E_B_unloading = 0;           ///< E_B of curve (2), frozen at reversal from tension [Pa]
   double E_B_loading = 0;             ///< E_B of curve (4), frozen at reversal from compression [Pa]

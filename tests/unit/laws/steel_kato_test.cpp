@@ -145,4 +145,17 @@ TEST(SteelKato, UnloadingOfABarThatIsWeakenedFollowsItsStrength) {
   EXPECT_NEAR(law(h, h.strain + 1e-9), unloaded, 1e3);
 }
 
+// A bar that has not yielded is elastic up to the yield stress that shear has left it, also if that has
+// fallen below a stress it had before: it turns round in compression without the curve of a bar that has
+// yielded.
+TEST(SteelKato, ABarThatIsWeakenedBelowAnEarlierStressHasNotYielded) {
+  KatoHistory h;
+  SteelKato law{table_4()};
+  for (double const strain : {0.0025, -0.0005}) go(law, h, strain);
+  law.params = reduced(table_4(), 0.9); // 477 MPa; it had 525
+  for (double const strain : {0.0, 0.001, 0.002, 0.00227})
+    EXPECT_NEAR(go(law, h, strain), 210e9 * strain, 1) << strain;
+  EXPECT_NEAR(go(law, h, 0.0024), 477e6, 1);
+}
+
 } // namespace
