@@ -54,7 +54,7 @@ EXAMPLE = {
     "13_spalling_bar": Example("spalling_bar", ("v_a", "v_b", "v_end"), figure="spalling_bar"),
     "14_drop_weight_beam": Example("drop_weight", ("impulse", "hammer_velocity", "deflection")),
     "15_dropped_block": Example("dropped_block", ("impulse",), fragments=True),
-    "16_colliding_blocks": Example("collision", ("v_target", "v_missile"), tolerance=1e-6),
+    "16_colliding_blocks": Example("collision", ("v_target", "v_missile"), tolerance=1e-6, fragments=True),
 }
 
 

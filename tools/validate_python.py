@@ -5,6 +5,7 @@ end in the same step with the same state, to the last bit, as the run of the com
     PYTHONPATH=build/python validate_python.py --program build/fissura [--runs build/verify]
 """
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -20,8 +21,11 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 def from_python(*words):
     """Steps and state hash at the end of the tutorial's run, and its log."""
+    # The script runs in a folder of its own, so folders named from here must not be.
+    modules = os.pathsep.join(str(Path(p).resolve()) for p in os.environ.get("PYTHONPATH", "").split(os.pathsep) if p)
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([sys.executable, str(TUTORIAL), *words], cwd=folder, capture_output=True, text=True)
+        done = subprocess.run([sys.executable, str(TUTORIAL), *words], cwd=folder, env={**os.environ, "PYTHONPATH": modules},
+                              capture_output=True, text=True)
         if done.returncode != 0:
             raise RunFailed(f"{TUTORIAL.name}: exit code {done.returncode}\n{done.stderr.strip()}")
         curve = Path(folder) / "four_point_beam.png"
