@@ -1,4 +1,5 @@
 // The page: reads its numbers and draws either the report of one run or the comparison of two.
+import "./canvas.js";
 import { readNumbers } from "./data.js";
 import { element } from "./dom.js";
 import { showReport } from "./report.js";

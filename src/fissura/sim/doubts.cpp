@@ -247,9 +247,9 @@ class Doubts {
   void duration() {
     double const end = end_time();
     if (end < crossing())
-      doubt(fmt::format(
-          "the run ends at {}, before a wave has crossed the body ({}): is the unit of `end_time` right?",
-          units::from_si(end, Dimension::time), units::from_si(crossing(), Dimension::time)));
+      doubt(fmt::format("the run ends at {}, before a wave has crossed the body ({:.2g} ms): is the unit of "
+                        "`end_time` right?",
+                        units::from_si(end, Dimension::time), 1e3 * crossing()));
     if (end / m.dt > 1e9)
       doubt(fmt::format(
           "the run takes {:.2g} steps to {}: this is an explicit program, load within a fraction of a "
