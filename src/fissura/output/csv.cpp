@@ -2,7 +2,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
-#include <fmt/core.h>
+#include <fmt/format.h> // and not core.h: clang 14 gives the function that it declares another name than gcc
 #include <fstream>
 #include <iterator>
 #include <string_view>
