@@ -22,7 +22,7 @@ DOCS_PACKAGES    := mkdocs
 PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
 FORMAT_PACKAGES  := clang-format
 FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
-COVERAGE_PACKAGES := $(TEST_PACKAGES) gcovr
+COVERAGE_PACKAGES := $(TEST_PACKAGES) clang llvm
 FUZZ_SECONDS     ?= 60
 
 # $(call install_packages,LIST): asks apt only if something is missing.
@@ -158,11 +158,9 @@ sanitize: setup-tests
 coverage: setup-coverage
 	cmake --preset coverage
 	cmake --build build-coverage -j $(JOBS)
-	ctest --test-dir build-coverage -j 2 || echo "some tests fail without optimisation: see above"
-	mkdir -p build-coverage/coverage
-	gcovr --root . --object-directory build-coverage --filter src/ --filter apps/ --exclude-throw-branches -j $(JOBS) \
-	  --json build-coverage/coverage/lines.json --html-details build-coverage/coverage/index.html --print-summary
-	$(PYTHON) tools/unprovoked_errors.py build-coverage/coverage/lines.json
+	rm -rf build-coverage/raw
+	LLVM_PROFILE_FILE=$(CURDIR)/build-coverage/raw/%4m.profraw ctest --test-dir build-coverage -j 2 || echo "some tests fail: see above"
+	$(PYTHON) tools/coverage.py build-coverage --html
 
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

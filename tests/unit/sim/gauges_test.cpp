@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "fissura/sim/gauges.hpp"
 #include "fissura/sim/stops.hpp"
@@ -223,6 +225,27 @@ TEST(Gauges, refuse_what_is_not_there) {
     for (std::size_t i = 0; i < c.gauges.size(); ++i)
       EXPECT_EQ(e.diagnostics[i].place.line, 40 + static_cast<int>(i));
     EXPECT_NE(e.diagnostics[0].message.find("nobody"), std::string::npos);
+  }
+}
+
+// Requirement: the motion of an impactor is that of one impactor: not of a plane, nor of two bodies.
+TEST(Gauges, follow_one_impactor) {
+  auto c = gauged_tie();
+  c.planes = {{{}, "floor", {0, 0, -1}, {0, 0, 1}, 0.6}};
+  model::ImpactorSpec ball;
+  ball.name = "ball", ball.centre = {0, 0, 2}, ball.radius = 0.5, ball.mass = 3;
+  c.impactors = {ball};
+  for (auto const& of : std::vector<std::vector<std::string>>{{"floor"}, {"ball", "floor"}}) {
+    auto g = gauge("g", Kind::impactor_velocity);
+    g.of = of;
+    c.gauges = {g};
+    Stepper x(c);
+    try {
+      sim::Gauges const gauges(x.m);
+      FAIL() << "no error";
+    } catch (core::InputError const& e) {
+      EXPECT_NE(std::string(e.what()).find("`of` must name one impactor"), std::string::npos) << e.what();
+    }
   }
 }
 

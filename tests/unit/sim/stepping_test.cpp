@@ -111,6 +111,24 @@ TEST(Stepping, refuses_to_change_what_is_no_load) {
             "`pull` is a motion: give `displacement` or `velocity`, not `force`");
 }
 
+// Requirement: a force takes a force and a traction a traction; each says which of the two it is.
+TEST(Stepping, refuses_to_mix_forces_and_tractions) {
+  auto c = tie();
+  model::ForceSpec push;
+  model::TractionSpec press;
+  push.name = "push", push.where = plane(0, 0.6), push.direction = {0, 0, -1}, push.curve = constant(500);
+  press.name = "press", press.where = plane(0, 0.6), press.direction = {0, 0, -1},
+  press.curve = constant(1e3);
+  c.forces = {push}, c.tractions = {press};
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(c, o);
+  run.open();
+  EXPECT_EQ(refusal(run, "push", "traction"), "`push` is a force: give `force`, not `traction`");
+  EXPECT_EQ(refusal(run, "press", "force"), "`press` is a traction: give `traction`, not `force`");
+  EXPECT_EQ(refusal(run, "push", "force"), "accepted");
+}
+
 // Requirement: a run that is finished early says so, and two runs may live side by side and end in any order.
 TEST(Stepping, two_runs_side_by_side) {
   sim::RunOptions o;
