@@ -40,13 +40,14 @@ void read_targets(Reader& r, Node const& n, Key const& k, PathSpec& path) {
   for (auto const& item : n.items) {
     Target target;
     target.place = item.place;
-    if (item.kind != Node::Kind::table)
+    if (item.kind != Node::Kind::table) {
       r.error(
           item,
           fmt::format("a target of `to` must be a table, e.g. {{gauge = \"force\", value = \"0 N\"}}, not {}",
                       shown(item)));
-    else
-      r.read_shape(target_shape(), item, &target);
+      continue;
+    }
+    r.read_shape(target_shape(), item, &target);
     path.targets.push_back(std::move(target));
   }
 }
