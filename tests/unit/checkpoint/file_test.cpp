@@ -109,6 +109,7 @@ TEST(CheckpointFile, of_another_version_is_refused) {
   };
   static_assert(format_version == 2);
   EXPECT_TRUE(holds(refused_as(3), "has the format 3, this program reads up to 2")) << refused_as(3);
+  EXPECT_TRUE(holds(refused_as(0), "has been altered: there is no format 0")) << refused_as(0);
   EXPECT_TRUE(holds(refused_as(1), "has the format 1, this program reads 2")) << refused_as(1);
 }
 

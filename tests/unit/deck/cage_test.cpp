@@ -181,6 +181,21 @@ TEST(Cage, says_what_does_not_fit) {
            {"\"300 mm\"]\ncover", "\"0 mm\"]\ncover", "they have the same z"}})
     EXPECT_NE(refused_with(beam, f.old_text, f.new_text).find(f.expected), std::string::npos)
         << refused_with(beam, f.old_text, f.new_text) << "\nexpected " << f.expected;
+  EXPECT_NE(refused_with(beam, "cover =", "bars = \"8 x 16 mm\"\ncover =")
+                .find("`bars` belongs to kind = \"column\""),
+            std::string::npos);
+  EXPECT_NE(refused_with(beam, "top = \"2 x 10 mm\"\n", "")
+                .find("`sides` lie between `bottom` and `top`: give both"),
+            std::string::npos);
+  EXPECT_NE(refused_with(column, "bars = \"8 x 16 mm\"\nstirrups = \"10 mm / 100 mm\"\n", "")
+                .find("[[cage]] needs `bottom` or `top` (beam), `bars` (column) or `stirrups`"),
+            std::string::npos);
+  std::string const namesake =
+      "[[bar]]\nname = \"beam_top\"\nsteel = \"B500\"\ndiameter = \"8 mm\"\n"
+      "points = [[\"0 m\", \"0.1 m\", \"0.1 m\"], [\"1 m\", \"0.1 m\", \"0.1 m\"]]\n";
+  EXPECT_NE(
+      refusal(deck_with(beam + namesake)).find("the name \"beam_top\" is taken by the [[cage]] \"beam\""),
+      std::string::npos);
   EXPECT_NE(refused_with(column, "8 x 16", "7 x 16").find("an even number of bars"), std::string::npos);
   EXPECT_NE(refused_with(column, "8 x 16", "40 x 16").find("do not fit in one layer"), std::string::npos);
 }

@@ -209,6 +209,11 @@ void expect_part(std::string const& message, std::string const& part) {
 // Requirement: files that are missing, empty, of another kind or broken are refused at the file with the
 // reason, and a good file is still read afterwards.
 TEST(ReadGmsh, refuses_bad_files) {
+  auto const folder =
+      std::filesystem::temp_directory_path() / ("fissura-folder-" + std::to_string(::getpid()) + ".msh");
+  std::filesystem::create_directory(folder);
+  expect_part(refusal(folder), "the mesh file is not a regular file");
+  std::filesystem::remove(folder);
   expect_part(refusal("/nowhere/beam.msh"), "no such mesh file");
   expect_part(refusal(std::filesystem::temp_directory_path()), "ends in .msh or .geo");
   expect_part(refusal_of("a.stl", "solid"), "ends in .msh or .geo");

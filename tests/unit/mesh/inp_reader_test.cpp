@@ -255,5 +255,23 @@ TEST(ReadInp, survives_changed_bytes) {
   }
 }
 
+// Requirement: an .inp file that is not there, and a folder in its place, are refused in words.
+TEST(ReadInp, refuses_what_is_no_file) {
+  auto const folder =
+      std::filesystem::temp_directory_path() / ("fissura-folder-" + std::to_string(::getpid()) + ".inp");
+  auto const refusal_of_path = [&] {
+    try {
+      read_inp(folder, 1);
+    } catch (core::InputError const& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal_of_path().find("no such mesh file"), std::string::npos);
+  std::filesystem::create_directory(folder);
+  EXPECT_NE(refusal_of_path().find("the mesh file is not a regular file"), std::string::npos);
+  std::filesystem::remove(folder);
+}
+
 } // namespace
 } // namespace fissura::mesh

@@ -144,6 +144,7 @@ struct Lie {
 TEST(Msh, refuses_what_cannot_be) {
   std::string const good = head + one_tet;
   EXPECT_EQ(refusal(good), "");
+  EXPECT_NE(refusal(head).find("the mesh has no tets"), std::string::npos);
   Lie const lies[] = {
       {"4.1 0", "3.0 0", "mesh format 3: only the formats 2.2 and 4.1 are read"},
       {"4.1 0 8", "4.1 2 8", "file type 2: it is 0 (text) or 1 (binary)"},

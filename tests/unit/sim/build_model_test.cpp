@@ -228,6 +228,13 @@ TEST(Templates, are_written_once) {
   EXPECT_NE(output::testing::read_bytes(folder / "new/case.toml").find("[[bar]]"), std::string::npos);
   EXPECT_THROW(sim::write_template("tie", folder / "new"), core::Error);
   try {
+    sim::write_template("tie", folder / "new/case.toml/below");
+    FAIL();
+  } catch (core::Error const& e) {
+    EXPECT_EQ(e.failure, core::Failure::io);
+    EXPECT_NE(std::string(e.what()).find("cannot create the folder"), std::string::npos) << e.what();
+  }
+  try {
     sim::write_template("bridge", folder / "other");
     FAIL();
   } catch (core::Error const& e) {

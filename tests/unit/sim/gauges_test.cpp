@@ -213,6 +213,7 @@ TEST(Gauges, refuse_what_is_not_there) {
               bar,
               line_gauge(Kind::crack_width, {5, 5, 5}, {6, 5, 5}),
               line_gauge(Kind::mean_strain, {0.1, 0, 0}, {0.1, 0, 0}),
+              line_gauge(Kind::mean_strain, {0, 0, 0}, {1e-3, 0, 0}),
               displacement("u", plane(0, 7), 0)};
   for (std::size_t i = 0; i < c.gauges.size(); ++i)
     c.gauges[i].place.line = c.gauges[i].where.place.line = 40 + static_cast<int>(i);

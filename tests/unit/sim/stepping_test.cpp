@@ -129,6 +129,28 @@ TEST(Stepping, refuses_to_mix_forces_and_tractions) {
   EXPECT_EQ(refusal(run, "push", "force"), "accepted");
 }
 
+// Requirement: a load of a later stage, a motion on a path and gravity say why they cannot be changed so.
+TEST(Stepping, refuses_to_change_loads_that_are_not_free) {
+  auto c = tie();
+  c.stages = {{{}, "first", 3e-4}, {{}, "second", 3e-4}};
+  model::ForceSpec push;
+  push.name = "push", push.stage = "second", push.where = plane(0, 0.6), push.direction = {0, 0, -1};
+  push.curve = constant(500);
+  c.forces = {push};
+  c.gravity.on = true, c.gravity.curve = constant(9.81);
+  c.motions[0].path = model::PathSpec{};
+  c.motions[0].path->speed = 1, c.motions[0].path->turn = 1e-4;
+  c.motions[0].path->targets = {{{}, "force", 1e3, "1 kN"}};
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(c, o);
+  run.open();
+  EXPECT_EQ(refusal(run, "push", "force"), "`push` begins with the stage `second`, which has not begun yet");
+  EXPECT_EQ(refusal(run, "pull", "velocity"),
+            "`pull` follows a path that gauges steer: it cannot be changed");
+  EXPECT_EQ(refusal(run, "gravity", "force"), "gravity has an `acceleration`, no `force`");
+}
+
 // Requirement: a run that is finished early says so, and two runs may live side by side and end in any order.
 TEST(Stepping, two_runs_side_by_side) {
   sim::RunOptions o;

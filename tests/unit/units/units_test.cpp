@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -148,6 +149,11 @@ TEST(Units, HostileTextIsSafe) {
 }
 
 // The decimal shift is exact at the ends of the range: underflow gives zero, overflow gives nothing.
+TEST(Units, NumbersThatAreNoneAreNotWritten) {
+  EXPECT_THROW(from_si(NAN, Dimension::length), core::Error);
+  EXPECT_THROW(from_si(INFINITY, Dimension::none), core::Error);
+}
+
 TEST(Decimal, EndsOfTheRange) {
   EXPECT_EQ(units::shifted_value("1e-400", 0), 0.0);
   EXPECT_EQ(units::shifted_value("1e99999999999999999999", 0), std::nullopt);
