@@ -66,7 +66,7 @@ def thinned(history):
 
 def write_expected(example, run, path):
     history = run.history
-    names = [n for n in ("time", *example.columns, *COUNTS) if n in history.columns]
+    names = [n for n in ("time", "load_time", *example.columns, *COUNTS) if n in history.columns]
     with open(path, "w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow([f"{n} [{history[n].unit}]" for n in names])
@@ -77,13 +77,14 @@ def write_expected(example, run, path):
 def differences(example, run, path):
     """Columns that have left the expected curve: name and mean difference over the range."""
     expected, history = History(path), run.history
-    time = expected["time"].values
-    shared = time <= history["time"].values[-1]
+    clock = "load_time" if "load_time" in expected.columns else "time"
+    time = expected[clock].values
+    shared = time <= history[clock].values[-1]
     if shared.mean() < 0.9:
-        yield "time", 1.0
+        yield clock, 1.0
     for name in example.columns:
         was = expected[name].values[shared]
-        now = np.interp(time[shared], history["time"].values, history[name].values)
+        now = np.interp(time[shared], history[clock].values, history[name].values)
         difference = np.abs(now - was).mean() / max(np.ptp(was), 1e-300)
         if difference > example.tolerance:
             yield name, difference

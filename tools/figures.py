@@ -123,7 +123,7 @@ def fig22(runs, out):
 def beam_curve(run):
     """Load [kN] as read and as mean over 10 ms, and deflection [mm], from the start of `push`."""
     begin = measure.push_begins(run)
-    time = measure.column(run, "time")[begin:]
+    time = measure.clock(run)[begin:]
     load = measure.column(run, "load")[begin:] / 1e3
     return load, measure.running_mean(time, load, measure.SHOCK), 1e3 * measure.column(run, "deflection")[begin:]
 

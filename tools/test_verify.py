@@ -7,6 +7,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import numpy as np
 
 TOOLS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TOOLS))
+import fissura_io as io
 import verify
 import verify_checks
 import verify_measures as measure
@@ -188,6 +190,14 @@ class Measures(unittest.TestCase):
         self.assertTrue(np.allclose(measure.running_mean(time, values, 0.1), 3))
         values[500] = 103
         self.assertLess(measure.running_mean(time, values, 0.1).max(), 4.1)
+
+    def test_curves_follow_the_time_of_the_loads_where_pace_control_bends_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "history.csv"
+            for head, row, expected in (("time [s]", "1", 1), ("time [s],load_time [s]", "1,2.5", 2.5)):
+                path.write_text(f"{head}\n{row}\n{row}\n")
+                run = types.SimpleNamespace(history=io.History(path))
+                self.assertEqual(measure.clock(run)[0], expected)
 
 
 if __name__ == "__main__":

@@ -87,9 +87,10 @@ def beam_runs():
     yield "collision", Spec("16_colliding_blocks/case.toml", cost=1)
     yield "shattering", Spec("16_colliding_blocks/shattering.toml", cost=20)
     four = "06_four_point_beam/case.toml"
-    yield "four_point", Spec(four, cost=900, long=True)
-    yield "four_point_start", Spec(four, until=0.12, cost=250, long=True)  # up to 15 kN, before anything is chaotic
-    yield "four_point_60", Spec(four, ("concrete.0.penalty=60",), cost=1600, long=True)
+    yield "four_point", Spec(four, cost=180, long=True)
+    yield "four_point_steady", Spec(four, ("run.pace=1",), cost=280, long=True)
+    yield "four_point_start", Spec(four, until=0.12, cost=70, long=True)  # up to 15 kN, before anything is chaotic
+    yield "four_point_60", Spec(four, ("concrete.0.penalty=60",), cost=300, long=True)
     yield "four_point_unstructured", Spec("06_four_point_beam/unstructured.toml", cost=1500, long=True)
 
 

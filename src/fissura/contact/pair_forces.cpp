@@ -10,7 +10,7 @@ using state::State;
 
 namespace {
 
-constexpr std::size_t pairs_per_chunk = 64, hosts_per_chunk = 256;
+constexpr std::size_t pairs_per_chunk = 64, hosts_per_chunk = 64;
 
 struct PairSums {
   double stored = 0, lost = 0; ///< [J]

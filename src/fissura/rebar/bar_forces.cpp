@@ -50,7 +50,7 @@ void element_forces(model::Model const& m, state::State& s, state::Scratch& w, s
 } // namespace
 
 void bar_forces(model::Model const& m, state::State& s, state::Scratch& w) {
-  parallel::for_chunks(m.bars.elements.size(), 512, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel::for_chunks(m.bars.elements.size(), 128, [&](std::size_t, std::size_t begin, std::size_t end) {
     element_forces(m, s, w, begin, end);
   });
 }

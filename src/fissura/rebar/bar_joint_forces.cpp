@@ -121,7 +121,7 @@ class JointStep {
 void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w) {
   auto const pass = bar_pass(m, s, w);
   auto const& kernels = bar_kernels();
-  parallel::for_chunks(w.bars.element_lanes.size(), 64, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel::for_chunks(w.bars.element_lanes.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
     kernels.stretch_elements(pass, begin, end);
   });
   parallel::for_chunks(w.bars.joint_lanes.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -73,7 +73,7 @@ state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& 
 }
 
 void gather_bar_forces(model::Model const& m, state::Scratch& w) {
-  parallel::for_chunks(w.bars.hosts.size(), 256,
+  parallel::for_chunks(w.bars.hosts.size(), 64,
                        [&](std::size_t, std::size_t begin, std::size_t end) { gather(m, w, begin, end); });
 }
 
