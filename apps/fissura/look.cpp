@@ -17,6 +17,7 @@
 #include "fissura/report/report.hpp"
 #include "fissura/report/watch.hpp"
 #include "python_tool.hpp"
+#include "seconds.hpp"
 
 namespace fissura::app {
 
@@ -31,7 +32,7 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   picture_->add_option("folder", folder_, "Run folder")->required();
   picture_->add_option("--field", field_, "What colours the cracks: opening, sliding or damage")
       ->check(CLI::IsMember({"opening", "sliding", "damage"}));
-  picture_->add_option("--time", time_, "Seconds (the nearest frame), or last");
+  picture_->add_option("--time", time_, "Seconds (the nearest frame), also with a unit, or last");
   picture_->add_option("--warp", warp_, "Factor on the displacements, or auto");
   picture_->add_option("--up", up_, "Axis that points up: x, y or z")->check(CLI::IsMember({"x", "y", "z"}));
   picture_->add_option("--min-damage", min_damage_, "Joints with less damage are not drawn (default 0.2)");
@@ -95,7 +96,7 @@ int LookCommands::picture() const {
                                  "--field",
                                  field_,
                                  "--time",
-                                 time_,
+                                 time_ == "last" ? time_ : fmt::format("{}", seconds("--time", time_)),
                                  "--warp",
                                  warp_,
                                  "--up",

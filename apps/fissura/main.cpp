@@ -2,6 +2,7 @@
 // as asked, 1 failed run, 2 bad input, 3 input/output failure.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,6 +15,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/deck/deck.hpp"
+#include "fissura/deck/nearest.hpp"
 #include "fissura/sim/bench.hpp"
 #include "fissura/sim/bench_scenes.hpp"
 #include "fissura/sim/check.hpp"
@@ -21,6 +23,7 @@
 #include "fissura/sim/template_case.hpp"
 #include "look.hpp"
 #include "python_tool.hpp"
+#include "seconds.hpp"
 #include "signals.hpp"
 
 namespace {
@@ -30,12 +33,14 @@ using fissura::core::Error;
 struct RunArguments {
   std::string deck;
   std::vector<std::string> set;
+  std::string until;
   fissura::sim::RunOptions options;
 };
 
 int run(RunArguments const& a) {
   auto const c = fissura::deck::read_case(a.deck, a.set);
   auto options = a.options;
+  if (!a.until.empty()) options.until = fissura::app::seconds("--until", a.until);
   options.version = FISSURA_VERSION;
   options.deck_echo = fissura::deck::echo(c);
   options.signal = caught_signal;
@@ -79,6 +84,27 @@ int check(std::string const& deck, std::vector<std::string> const& set, std::str
       "picture.py", {frames.name(), "--out", picture, "--title", c.title.empty() ? deck : c.title});
 }
 
+/// The names live as long as `app`.
+std::vector<std::string_view> commands(CLI::App const& app) {
+  std::vector<std::string_view> names;
+  for (auto const* c : app.get_subcommands([](CLI::App const*) { return true; }))
+    names.emplace_back(c->get_name());
+  return names;
+}
+
+bool knows(CLI::App const& app, std::string_view word) {
+  auto const names = commands(app);
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+int unknown_command(CLI::App const& app, std::string_view word) {
+  auto const names = commands(app);
+  auto const hint = fissura::deck::did_you_mean(word, names);
+  fmt::print(stderr, "fissura: there is no command `{}`{}\n", word,
+             hint.empty() ? "; there are " + fissura::deck::listed(names) : hint);
+  return 2;
+}
+
 int program(int argc, char** argv) {
   CLI::App app{"Fissura: how reinforced concrete cracks, slips, yields and falls apart (3-D finite-discrete "
                "elements)"};
@@ -91,7 +117,8 @@ int program(int argc, char** argv) {
   run_command->add_option("--out", run_arguments.options.out, "Run folder (default: <case>.run)");
   run_command->add_option("--threads", run_arguments.options.threads,
                           "Threads (default: all, or as the deck says)");
-  run_command->add_option("--until", run_arguments.options.until, "Stop at this time [s]");
+  run_command->add_option("--until", run_arguments.until,
+                          "Stop at this time: seconds, or with a unit, \"3 ms\"");
   run_command->add_option("--walltime", run_arguments.options.walltime,
                           "Stop after so many seconds of wall time");
   run_command->add_option("--restart", run_arguments.options.restart,
@@ -126,6 +153,7 @@ int program(int argc, char** argv) {
 
   fissura::app::LookCommands look(app, FISSURA_VERSION);
 
+  if (argc > 1 && argv[1][0] != '-' && !knows(app, argv[1])) return unknown_command(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& e) {

@@ -117,7 +117,7 @@ class Commands(unittest.TestCase):
         self.assertIn("opening", done.stderr)
         done = fissura("picture", self.run_b, "--time", "late")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("--time is a number or `last`, not `late`", done.stderr)
+        self.assertIn("--time: `late` is not a time", done.stderr)
 
     def test_plot(self):
         """`fissura plot` writes a PNG of columns; a column that is missing is named with those there are."""
@@ -138,6 +138,21 @@ class Commands(unittest.TestCase):
         in FISSURA_TOOLS is passed over, not an error.)"""
         done = fissura("plot", self.run_a, "--y", "load", "-o", self.folder / "again.png", FISSURA_TOOLS=str(self.folder))
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_words_of_the_command_line(self):
+        """A mistyped command, a folder for its deck and a time without sense are told with what would be right (exit 2); times may
+        carry a unit."""
+        for words, said in ((["rn", DECK], "there is no command `rn`; did you mean `run`?"), (["frobnicate"], "there are `run`, `check`"),
+                            (["check", DECK.parent], f'is a folder; its deck is "{DECK}"'),
+                            (["run", DECK, "--until", "3 mm"], "--until: "), (["picture", self.run_b, "--time", "3 xs"], "--time: unknown unit `xs`")):
+            done = fissura(*words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertIn(said, done.stderr)
+        out = self.folder / "until"
+        done = fissura("run", DECK, *SMALL, "--no-report", "--until", "0.1 ms", "--out", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(json.loads((out / "run.json").read_text())["time"], 1e-4, delta=2e-6)
+        self.assertEqual(fissura("picture", self.run_b, "--time", "3 ms", "-o", self.folder / "then.png").returncode, 0)
 
     def test_compare(self):
         """A run compared with itself agrees to the last bit (exit 0); another one differs (exit 1)."""

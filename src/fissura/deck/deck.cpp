@@ -17,6 +17,9 @@ namespace {
 
 std::string read_file(std::filesystem::path const& file) {
   std::error_code error;
+  if (std::filesystem::is_regular_file(file / "case.toml", error))
+    throw core::Error(core::Failure::input, fmt::format("{} is a folder; its deck is \"{}\"", file.string(),
+                                                        (file / "case.toml").string()));
   if (!std::filesystem::is_regular_file(file, error))
     throw core::Error(core::Failure::input, fmt::format("there is no deck \"{}\"", file.string()));
   if (std::filesystem::file_size(file, error) > largest_deck)

@@ -39,7 +39,10 @@ double peak(Column const& c) {
 ColumnDifference difference(History const& a, History const& b, Column const& first, Column const& second) {
   ColumnDifference d{.name = first.name, .unit = first.unit};
   auto const &times = a.columns.front().values, &other = b.columns.front().values;
-  auto const [low, high] = std::minmax_element(first.values.begin(), first.values.end());
+  // Over the time that both share: the peaks of a run that goes on longer would make any difference small.
+  auto const shared = std::upper_bound(times.begin(), times.end(), other.back()) - times.begin();
+  auto const end = first.values.begin() + std::max<std::ptrdiff_t>(shared, 1);
+  auto const [low, high] = std::minmax_element(first.values.begin(), end);
   double range = *high - *low;
   if (!(range > 0)) range = std::max(std::abs(*high), std::abs(peak(second)));
   std::size_t rows = 0;
@@ -97,13 +100,16 @@ std::string verdict_of(Comparison const& c, double ends[2], double tolerance, bo
     if (r.mean > most) most = r.mean, worst = r.name;
   }
   std::string text = same ? "Both runs end in the same state, to the last bit. " : "";
-  if (ends_differ) text += fmt::format("The runs end at t = {:.5g} s and {:.5g} s. ", ends[0], ends[1]);
-  text += differing == 0 ? fmt::format("All {} columns agree within {:.3g} % of their range in the mean; the "
+  if (ends_differ)
+    text += fmt::format("The runs end at t = {:.5g} s and {:.5g} s, and so they differ. As far as both go: ",
+                        ends[0], ends[1]);
+  char const* const column = deciding == 1 ? "column" : "columns";
+  text += differing == 0 ? fmt::format("{} {} within {:.3g} % of the range in the mean; the "
                                        "largest difference has `{}`, {:.2g} %.",
-                                       deciding, 100 * tolerance, worst, 100 * most)
-                         : fmt::format("{} of {} columns differ by more than {:.3g} % of their range in the "
-                                       "mean; the most `{}`, {:.2g} %.",
-                                       differing, deciding, 100 * tolerance, worst, 100 * most);
+                                       deciding, column, 100 * tolerance, worst, 100 * most)
+                         : fmt::format("{} of {} {} outside {:.3g} % of the range in the "
+                                       "mean; the largest difference has `{}`, {:.2g} %.",
+                                       differing, deciding, column, 100 * tolerance, worst, 100 * most);
   return text;
 }
 

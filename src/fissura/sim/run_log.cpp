@@ -32,8 +32,9 @@ void log_restart(Log& log, State const& s, std::string const& checkpoint,
 }
 
 void log_steps_ahead(Log& log, Model const& m, double end, int threads) {
-  log.info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} threads, kernels {}", m.dt,
-           m.dt_limiter, std::ceil(end / m.dt), end, threads, concrete::kernels().name);
+  log.info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} thread{}, kernels {}", m.dt,
+           m.dt_limiter, std::ceil(end / m.dt), end, threads, threads == 1 ? "" : "s",
+           concrete::kernels().name);
 }
 
 void log_end(Log& log, State const& s, RunResult const& result, double wall) {

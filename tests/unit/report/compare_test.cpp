@@ -28,7 +28,7 @@ struct TwoRuns {
 TEST(Compare, EqualRunsAgree) {
   auto const c = TwoRuns(1).compared(0);
   EXPECT_TRUE(c.agree);
-  EXPECT_NE(c.verdict.find("All 1 columns agree"), std::string::npos);
+  EXPECT_NE(c.verdict.find("1 column within 0 %"), std::string::npos);
 }
 
 // Requirement: a load that is 10 % larger everywhere differs by the mean of the curve times 10 % of its
@@ -62,7 +62,17 @@ TEST(Compare, EndsCount) {
   testing::write_text(runs.folder / "b/history.csv", testing::history_text(50));
   auto const c = runs.compared(0.02);
   EXPECT_FALSE(c.agree);
-  EXPECT_NE(c.verdict.find("The runs end at t = 0.099 s and 0.049 s"), std::string::npos);
+  EXPECT_NE(c.verdict.find("The runs end at t = 0.099 s and 0.049 s, and so they differ"), std::string::npos);
+}
+
+// Requirement: the range is that of the time both runs share: what the longer one does later hides nothing.
+TEST(Compare, RangeOfTheSharedTime) {
+  TwoRuns const runs(1);
+  testing::write_text(runs.folder / "b/history.csv", testing::history_text(11, 1.1));
+  auto const c = runs.compared(0.02); // up to t = 0.01 s the load grows from 0 to 10 kN, later to 60 kN
+  ASSERT_FALSE(c.rows.empty());
+  EXPECT_NEAR(c.rows.front().largest, 0.1, 1e-9);
+  EXPECT_TRUE(c.rows.front().differs);
 }
 
 // Requirement: a column that is missing, runs without rows, and no column in common are errors of the input.
