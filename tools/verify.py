@@ -94,7 +94,8 @@ def main():
         row_of = dict(zip(checks, rows))
         older = older_rows(arguments.page, [c for c in every if c not in row_of])
         shown = [c for c in every if c in row_of or c in older]
-        write_page(arguments.page, [row_of.get(c) or older[c] for c in shown], shown, older)
+        write_page(arguments.page, [row_of.get(c) or older[c] for c in shown], shown, older,
+                   [a.partition("=")[0] for a in arguments.adopt])
     failed = sum(row[5] != "true" for row in rows)
     print(f"{len(rows)} rows, {failed} failed: {arguments.out}")
     sys.exit(1 if failed else 0)

@@ -51,16 +51,17 @@ def older_rows(path, checks):
     return found
 
 
-def age(rows, older):
+def age(rows, older, adopted=()):
+    build = "one build" + (f" (the runs {', '.join(adopted)} by another)" if adopted else "")
     if not older:
-        return "All rows were computed by one build.\n"
-    return (f"{len(rows) - len(older)} rows were computed by one build; {len(older)} are older (whole sections that say so, and rows marked{OLDER}): earlier "
+        return f"All rows were computed by {build}.\n"
+    return (f"{len(rows) - len(older)} rows were computed by {build}; {len(older)} are older (whole sections that say so, and rows marked{OLDER}): earlier "
             "builds computed them, and they stand until their case is run again.\n")
 
 
-def write_page(path, rows, checks, older=()):
-    """`older`: which of the checks have rows of earlier builds."""
-    lines = [TOP, age(rows, older)]
+def write_page(path, rows, checks, older=(), adopted=()):
+    """`older`: which of the checks have rows of earlier builds; `adopted`: names of runs that were made by hand."""
+    lines = [TOP, age(rows, older, adopted)]
     failed = [r for r in rows if r[5] != "true"]
     lines.append(f"{len(rows)} rows, {len(failed)} outside their tolerance" + (" (marked **no**)." if failed else ".") + "\n")
     for name, case in CASES.items():
