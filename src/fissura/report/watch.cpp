@@ -48,7 +48,8 @@ std::string counts(RunFolder const& run) {
 
 /// The line that says how far the run has come.
 std::string progress(RunFolder const& run) {
-  double const now = last(run, "time"), end = planned_end(run);
+  // Under pace control runs end by the time of the loads.
+  double const now = last(run, run.history.find("load_time") ? "load_time" : "time"), end = planned_end(run);
   if (run.finished())
     return fmt::format("{}: {}\n", run.summary.value("status", "ended"), run.summary.value("reason", ""));
   if (!(end > 0)) return fmt::format("running   t = {:.5g} s\n", now);

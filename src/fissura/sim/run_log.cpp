@@ -12,6 +12,14 @@ namespace fissura::sim {
 using model::Model;
 using state::State;
 
+namespace {
+
+bool is_paced(Model const& m) {
+  return m.source.run.pace > 1;
+}
+
+} // namespace
+
 void log_opening(Log& log, Model const& m, BuildReport const& report, std::string const& version) {
   auto const& c = m.source;
   log.info("fissura {}: {}", version, c.title.empty() ? "untitled case" : c.title);
@@ -32,9 +40,9 @@ void log_restart(Log& log, State const& s, std::string const& checkpoint,
 }
 
 void log_steps_ahead(Log& log, Model const& m, double end, int threads) {
-  log.info("time step {:.4g} s, limited by {}; {:.0f} steps to t = {:.4g} s; {} thread{}, kernels {}", m.dt,
-           m.dt_limiter, std::ceil(end / m.dt), end, threads, threads == 1 ? "" : "s",
-           concrete::kernels().name);
+  log.info("time step {:.4g} s, limited by {}; {}{:.0f} steps to t = {:.4g} s; {} thread{}, kernels {}", m.dt,
+           m.dt_limiter, is_paced(m) ? "at most " : "", std::ceil(end / m.dt), end, threads,
+           threads == 1 ? "" : "s", concrete::kernels().name);
 }
 
 void log_end(Log& log, State const& s, RunResult const& result, double wall) {
@@ -49,9 +57,9 @@ void log_verdict(Log& log, Model const& m, Monitor const& monitor) {
   log.info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
            "of balance by {:.2g} %: {}",
            100 * quiet, monitor.kinetic_ratio(), 100 * imbalance,
-           quiet > 0.9 && imbalance < 0.05
-               ? "quasi-static"
-               : "inertia matters (expected in dynamic cases; else load more slowly)");
+           quiet > 0.9 && imbalance < 0.05 ? "quasi-static"
+           : is_paced(m) ? "inertia matters (else lower `pace_kinetic`, or load more slowly)"
+                         : "inertia matters (expected in dynamic cases; else load more slowly)");
   if (monitor.crossed_warning())
     log.warning("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
                 "trusting the run",

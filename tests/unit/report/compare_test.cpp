@@ -119,6 +119,15 @@ TEST(Watch, ShowsHowFarARunHasCome) {
   EXPECT_NE(screen.find("200 steps"), std::string::npos);
 }
 
+// Requirement: under pace control the forecast counts the time of the loads, and so does the share.
+TEST(Watch, CountsTheTimeOfTheLoads) {
+  TemporaryFolder const t;
+  testing::make_running(t / "run", 1);
+  testing::write_text(t / "run/history.csv", "time [s],load [N],load_time [s]\n0,0,0\n0.05,1000,0.1\n");
+  auto const screen = watch_screen(RunFolder(t / "run"), {});
+  EXPECT_NE(screen.find("50.0 %   t = 0.1 of 0.2 s"), std::string::npos) << screen;
+}
+
 // Requirement: a finished run says how it ended; an unknown column is an error of the input.
 TEST(Watch, SaysHowARunEnded) {
   TemporaryFolder const t;

@@ -9,6 +9,7 @@
 #include "fissura/sim/history.hpp"
 #include "fissura/sim/run.hpp"
 #include "support/cases.hpp"
+#include "unit/output/temporary_folder.hpp"
 
 namespace fissura::support {
 namespace {
@@ -81,6 +82,23 @@ TEST(Pace, slow_loading_takes_fewer_steps_and_gives_the_same_curve) {
     EXPECT_LE(paced.rows.at(i, "pace"), 4 + 1e-12);
   }
   EXPECT_LT(paced.summary["energy_residual"].get<double>(), 1e-3);
+}
+
+// Requirement: with pace control the log forecasts the steps as an upper limit, and where inertia matters it
+// names the key that helps.
+TEST(Pace, is_known_to_the_log) {
+  output::testing::TemporaryFolder const folder;
+  auto const said = [&](double pace) {
+    sim::RunOptions o;
+    o.out = folder / "run", o.quiet = true, o.force = true, o.threads = 1, o.until = 1e-3;
+    sim::run_case(slow_pull(pace), o);
+    return output::testing::read_bytes(folder / "run/log.txt");
+  };
+  auto const steady = said(1), paced = said(4);
+  EXPECT_NE(paced.find("; at most "), std::string::npos) << paced;
+  EXPECT_NE(paced.find("inertia matters (else lower `pace_kinetic`"), std::string::npos) << paced;
+  EXPECT_EQ(steady.find("at most "), std::string::npos) << steady;
+  EXPECT_EQ(steady.find("pace_kinetic"), std::string::npos) << steady;
 }
 
 // Requirement: without pace control the loads have the time of the run, to the bit.
