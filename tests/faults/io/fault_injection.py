@@ -66,7 +66,7 @@ def complaints(result, reason, stays, out):
     text = re.sub(r'\[fault [a-z]+\]\n', '', result.stderr)
     if reason not in text:
         found.append(f'the reason "{reason}" is not named')
-    if out not in text and f"'{os.path.basename(out)}/" not in text:
+    if out not in text and not re.search(rf"'{os.path.basename(out)}[/']", text):
         found.append('no file is named')
     found += [] if stays else broken_files(out)
     return found
