@@ -520,6 +520,16 @@ TEST(Deck, FaultyOverrides) {
   says("\"a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q\"=1", "the path is too deep");
 }
 
+/// That it is an error of the input, in these words.
+template <class Action> void expect_refused(Action const& action, std::string const& words) {
+  try {
+    action();
+    FAIL() << "accepted";
+  } catch (core::InputError const& e) {
+    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+  }
+}
+
 class DeckFiles : public testing::Test {
  protected:
   void SetUp() override {
@@ -588,27 +598,15 @@ TEST_F(DeckFiles, MissingDeck) {
 TEST_F(DeckFiles, LargeDeck) {
   write("large.toml", "title = \"large\"\n");
   std::filesystem::resize_file(folder / "large.toml", (16U << 20U) + 1);
-  try {
-    deck::read_case(folder / "large.toml");
-    FAIL() << "accepted";
-  } catch (core::InputError const& e) {
-    EXPECT_NE(std::string(e.what()).find("large.toml: error: the deck is larger than 16 MiB"),
-              std::string::npos)
-        << e.what();
-  }
+  expect_refused([&] { deck::read_case(folder / "large.toml"); },
+                 "large.toml: error: the deck is larger than 16 MiB");
 }
 
 // A key may be quoted, but holds no control characters and is no book.
 TEST(Deck, UnreadableKeys) {
   for (std::string const& key : std::vector<std::string>{"\"a\\u0007b\"", std::string(300, 'k')}) {
-    try {
-      read_case_text(std::string(small) + "\n[run2]\n" + key + " = 1\n", "s.toml");
-      FAIL() << "accepted";
-    } catch (core::InputError const& e) {
-      EXPECT_NE(std::string(e.what()).find("this key holds control characters or is too long"),
-                std::string::npos)
-          << e.what();
-    }
+    expect_refused([&] { read_case_text(std::string(small) + "\n[run2]\n" + key + " = 1\n", "s.toml"); },
+                   "this key holds control characters or is too long");
   }
 }
 
