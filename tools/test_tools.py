@@ -14,6 +14,7 @@ import numpy as np
 TOOLS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TOOLS))
 import check_arrows
+import check_commands
 import check_links
 import fissura_io as io
 import figure_parts
@@ -292,6 +293,52 @@ class CheckLinks(WithFolder):
                                           "```\n[e](e.md)\n```\n")
         (self.folder / "b.md").write_text("")
         self.assertEqual(list(check_links.broken_links(self.folder)), ["a.md:3: d.md"])
+
+
+class CheckCommands(WithFolder):
+    # A program that answers --help as CLI11 does, and nothing else.
+    PROGRAM = """#!/bin/sh
+case "$1" in
+  run) printf '  -h,--help   Help\\n  --out TEXT  Folder\\n  --force  Overwrite\\n';;
+  plot) printf '  --y TEXT ... REQUIRED  Column\\n  --field TEXT:{opening,damage}\\n     Colour\\n  -o,--out TEXT  File\\n';;
+  new) printf '  template TEXT REQUIRED  One of: beam, tie\\n\\nOptions:\\n  -h,--help  Help\\n';;
+  *) printf '  --version  Version\\n\\nSubcommands:\\n  run   Run\\n  plot  Draw\\n  new   Write\\n';;
+esac
+"""
+    USAGE = "```\nfissura run CASE [--out DIR] [--force]\nfissura plot RUN --y COLUMN... [--field opening|damage] [-o FILE]\nfissura new NAME\n```\n"
+
+    def untrue(self, page, usage=USAGE):
+        program = self.folder / "fissura"
+        program.write_text(self.PROGRAM)
+        program.chmod(0o755)
+        (self.folder / "Makefile").write_text("demo: build\n\tbuild/fissura\n")
+        (self.folder / "examples" / "a").mkdir(parents=True, exist_ok=True)
+        (self.folder / "examples" / "a" / "case.toml").write_text('gauge = [{name = "load"}]\n')
+        (self.folder / "docs" / "reference").mkdir(parents=True, exist_ok=True)
+        (self.folder / "docs" / "reference" / "cli.md").write_text(usage)
+        (self.folder / "page.md").write_text(page)
+        checker = check_commands.Checker(str(program), self.folder)
+        return [u.split(": ", 1)[1] if u.startswith("page.md") else u for u in check_commands.untrue(checker, self.folder)]
+
+    def test_true_commands_pass(self):
+        """Requirement: commands that the program knows pass, with variables before and comments after them, over two lines, in the text."""
+        self.assertEqual(self.untrue("```sh\nA=1 build/fissura run examples/a/case.toml --out runs/a \\\n  --force  # over it\n"
+                                     "build/fissura plot runs/a --y load --y energy_kinetic -o x.png\n```\n`fissura new tie d`, `make demo`\n"), [])
+
+    def test_untrue_commands_are_named(self):
+        """Requirement: an unknown subcommand, option, choice, template, target, deck, column or tool is named."""
+        for command, what in (("fissura fly", "there is no subcommand fly"), ("fissura run c.toml --fast", "run has no option --fast"),
+                              ("fissura plot r --y a --field rust", "--field takes damage, opening, not rust"),
+                              ("fissura new bridge d", "there is no template bridge"), ("make tea", "the Makefile has no target tea"),
+                              ("fissura run examples/b/case.toml", "examples/b/case.toml does not exist"),
+                              ("tools/x.py --fast", "tools/x.py does not exist")):
+            self.assertEqual(self.untrue(f"Type `{command}`.\n"), [f"{command}: {what}"])
+        self.assertEqual(self.untrue("```sh\nfissura run examples/a/case.toml --out r\nfissura plot r --y lod\n```\n"),
+                         ["fissura plot r --y lod: a has no gauge lod"])
+
+    def test_the_page_names_every_option(self):
+        """Requirement: an option of the program that the page of the command line leaves out is named."""
+        self.assertEqual(self.untrue("", self.USAGE.replace(" [--force]", "")), ["docs/reference/cli.md:1: `fissura run --force` is missing"])
 
 
 if __name__ == "__main__":
