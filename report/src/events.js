@@ -70,6 +70,19 @@ export function kineticRatio(curves) {
   return internal.map((e, i) => (e > 0.01 * largest ? kinetic[i] / e : null));
 }
 
+/** [{from, to, largest}]: rows up to `last` in which kinetic energy is 5 % of the internal or more, the longest span first. Spans
+ * nearer to each other than five rows are one. */
+export function loudSpans(ratio, last) {
+  const spans = [];
+  for (let i = 0; i <= last; ++i) {
+    if (ratio[i] === null || ratio[i] < 0.05) continue;
+    if (spans.length && i - spans.at(-1).to <= MEAN) spans.at(-1).to = i;
+    else spans.push({ from: i, to: i, largest: 0 });
+    spans.at(-1).largest = Math.max(spans.at(-1).largest, ratio[i]);
+  }
+  return spans.sort((a, b) => b.to - b.from - (a.to - a.from) || a.from - b.from);
+}
+
 /** Turning points of a reading: rows where it changes direction by more than a twentieth of its range. */
 export function reversals(values) {
   let low = Infinity, high = -Infinity;

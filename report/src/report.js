@@ -1,7 +1,7 @@
 // The report of one run.
 import { Curves } from "./data.js";
 import { element, section, select } from "./dom.js";
-import { events, kineticRatio, mainPair, reversals, rowAt } from "./events.js";
+import { events, kineticRatio, loudSpans, mainPair, reversals, rowAt } from "./events.js";
 import { digits, duration, largestOf, percent, quantity, shown, shownUnit, whole } from "./format.js";
 import { keys, LINES, markKeys, overTime, scatter } from "./plots.js";
 import { showScene } from "./scene.js";
@@ -64,7 +64,7 @@ function figures(meta, curves) {
 /** Good, look, bad: a word and a shape as well as a colour. */
 function verdict(level, title, text, ...more) {
   const sign = { good: "✓", look: "!", bad: "✕", plain: "·" }[level];
-  return element(`div.verdict.${level}`, element("span.sign", { "aria-hidden": "true" }, sign), element("div", element("h3", title), element("p", text), more));
+  return element(`div.verdict.${level}`, element("span.sign", { "aria-hidden": "true" }, sign), element("div", element("h3", title), element("p", text), ...more));
 }
 
 function verdicts(meta, curves) {
@@ -88,7 +88,8 @@ function energyVerdict(run, curves) {
 function quasiStatic(meta, curves) {
   const ratio = kineticRatio(curves);
   const pair = mainPair(curves, meta.deck.gauges);
-  const peak = events(curves, pair.y, meta.deck.dynamic).find((e) => e.name === "peak")?.row ?? -1;
+  const marks = events(curves, pair.y, meta.deck.dynamic);
+  const peak = marks.find((e) => e.name === "peak")?.row ?? -1;
   const counted = (ratio ?? []).slice(0, peak + 1).filter((r) => r !== null);
   const untilPeak = counted.length ? counted.filter((r) => r < 0.05).length / counted.length : null;
   const { run } = meta;
@@ -100,8 +101,29 @@ function quasiStatic(meta, curves) {
   if (quiet) return verdict("good", "Quasi-static", numbers.join(" "));
   if (meta.deck.dynamic) return verdict("plain", "Dynamic", `Inertia takes part, as the case asks for. ${numbers[0] ?? ""}`);
   if (untilPeak > 0.9)
-    return verdict("good", "Quasi-static up to the peak", `${numbers.join(" ")} What follows the peak is dynamic, as a failure is.`);
-  return verdict("look", "Inertia matters", `${numbers.join(" ")} If the test is a slow one: load more slowly, or raise mass_damping.`);
+    return verdict("good", "Quasi-static up to the peak", `${numbers.join(" ")} What follows the peak is dynamic, as a failure is.`, ...loudMoments(curves, ratio, marks, peak));
+  return verdict("look", "Inertia matters", `${numbers.join(" ")} If the test is a slow one: load more slowly, or raise mass_damping.`, ...loudMoments(curves, ratio, marks, peak));
+}
+
+const SPANS = 3;
+
+/** When, up to the peak, inertia takes part, what happens then, and which marks of the curve lie outside and so are as in a slow test. */
+function loudMoments(curves, ratio, marks, peak) {
+  if (!ratio || peak < 0) return [];
+  const spans = loudSpans(ratio, peak), shown = spans.slice(0, SPANS).sort((a, b) => a.from - b.from);
+  if (!shown.length) return [element("p", "Up to the peak there is no such reading: it is what follows.")];
+  const times = curves.values("time"), cracked = curves.values("joints_cracked");
+  const lines = shown.map(({ from, to, largest }) => {
+    const [begin, end] = [from, to].map((row) => quantity(times[row], "s", 3));
+    const between = begin === end ? begin : `${begin} to ${end}`;
+    const joints = cracked ? cracked[to] - cracked[Math.max(0, from - 1)] : 0;
+    return `${between}: up to ${percent(largest)}${joints > 0 ? `, while ${whole(joints)} ${joints === 1 ? "joint cracks" : "joints crack"}` : ""}`;
+  });
+  if (spans.length > shown.length) lines.push(`${whole(spans.length - shown.length)} shorter ${spans.length - shown.length === 1 ? "one" : "ones"}`);
+  const within = (e) => spans.some((s) => e.row >= s.from && e.row <= s.to);
+  const outside = marks.filter((e) => !within(e)).map((e) => e.text);
+  return [element("p", "5\u202f% and more up to the peak:"), element("ul", lines.map((l) => element("li", l))),
+    element("p", outside.length ? `Read where it is quiet: ${outside.join(", ")}.` : "None of the marks of the curve is read where it is quiet.")];
 }
 
 function meshVerdict(meta) {

@@ -84,6 +84,13 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("document.title"), "<b>demo</b> & more")
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('h1 b').length"), 0)
 
+    def test_names_the_moments_of_inertia(self):
+        """Where inertia takes part before the peak, the verdict says when and which marks of the curve are read where it is quiet."""
+        self.fresh(self.finished / "report.html")
+        verdict = self.browser.evaluate("document.querySelector('#verdicts').innerText").replace("\u202f", " ")
+        self.assertRegex(verdict, r"5 % and more up to the peak:\s+[\d.]+ ms to [\d.]+ ms: up to \d+ %, while \d+ joints crack")
+        self.assertRegex(verdict, "Read where it is quiet: .*peak")
+
     def test_opens_in_five_seconds(self):
         """The page is there and painted within five seconds: the best of three, since other work may go on."""
         def painted():
