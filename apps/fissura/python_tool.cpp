@@ -17,16 +17,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char const* python = "/usr/bin/python3";
+/// Debian's, unless FISSURA_PYTHON names another one.
+std::string python() {
+  char const* const given = std::getenv("FISSURA_PYTHON");
+  return given && *given ? given : "/usr/bin/python3";
+}
 
-std::string find_tool(std::string const& name) {
-  std::vector<fs::path> places;
-  if (char const* given = std::getenv("FISSURA_TOOLS")) places.emplace_back(given);
+/// Where the tools may lie: only where FISSURA_TOOLS says, if it is set.
+std::vector<fs::path> tool_folders() {
+  if (char const* given = std::getenv("FISSURA_TOOLS"); given && *given) return {given};
   std::error_code ec;
   fs::path const program = fs::read_symlink("/proc/self/exe", ec);
-  if (!ec) places.push_back(program.parent_path().parent_path() / "share/fissura/tools");
-  places.emplace_back(FISSURA_SOURCE_TOOLS);
-  for (auto const& place : places)
+  return {program.parent_path().parent_path() / "share/fissura/tools", FISSURA_SOURCE_TOOLS};
+}
+
+std::string find_tool(std::string const& name) {
+  std::error_code ec;
+  for (auto const& place : tool_folders())
     if (fs::exists(place / name, ec)) return (place / name).string();
   throw core::Error(
       core::Failure::io,
@@ -49,7 +56,7 @@ int run_program(std::vector<std::string> const& words) {
 }
 
 /// Says what is missing before a traceback does.
-void check_python() {
+void check_python(std::string const& python) {
   std::error_code ec;
   if (!fs::exists(python, ec))
     throw core::Error(core::Failure::io,
@@ -69,8 +76,9 @@ void check_python() {
 
 int run_python_tool(std::string const& name, std::vector<std::string> const& arguments) {
   std::string const tool = find_tool(name);
-  check_python();
-  std::vector<std::string> words{python, tool};
+  std::string const interpreter = python();
+  check_python(interpreter);
+  std::vector<std::string> words{interpreter, tool};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::fflush(stdout);
   int const code = run_program(words);

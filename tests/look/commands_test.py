@@ -5,6 +5,7 @@
 """
 import json
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -20,7 +21,8 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def fissura(*words, **environment):
-    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, env={**os.environ, **environment}, timeout=120)
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, env={**os.environ, **{k: str(v) for k, v in environment.items()}},
+                          timeout=120)
 
 
 def has_page():
@@ -134,10 +136,66 @@ class Commands(unittest.TestCase):
         self.assertIn("nowhere", done.stderr)
 
     def test_drawing_tools_missing(self):
-        """Without the drawing tools beside the program, the error says where they are looked for. (An empty folder named
-        in FISSURA_TOOLS is passed over, not an error.)"""
-        done = fissura("plot", self.run_a, "--y", "load", "-o", self.folder / "again.png", FISSURA_TOOLS=str(self.folder))
+        """Without the drawing tools where FISSURA_TOOLS says, the error says where they are looked for; where it is empty
+        they are found."""
+        words = ["plot", self.run_a, "--y", "load", "-o", self.folder / "again.png"]
+        done = fissura(*words, FISSURA_TOOLS=str(self.folder))
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("the drawing tool plot_history.py is not beside this program; install it with `make install`, or name its "
+                      "folder in FISSURA_TOOLS", done.stderr)
+        self.assertEqual(fissura(*words, FISSURA_TOOLS="").returncode, 0)
+
+    def test_python_missing(self):
+        """Without Python, or with one that lacks numpy or matplotlib, the error names the packages to install."""
+        words = ["plot", self.run_a, "--y", "load", "-o", self.folder / "never.png"]
+        done = fissura(*words, FISSURA_PYTHON=self.folder / "python3")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("python3 is missing: apt install python3-numpy python3-matplotlib", done.stderr)
+        for lacks in ("numpy", "matplotlib"):
+            bare = self.folder / f"no_{lacks}"
+            bare.mkdir()
+            (bare / "sitecustomize.py").write_text(
+                "import importlib.util as u\nfind = u.find_spec\n"
+                f"u.find_spec = lambda name, *more: None if name == '{lacks}' else find(name, *more)\n")
+            done = fissura(*words, PYTHONPATH=bare)
+            self.assertEqual(done.returncode, 3)
+            self.assertIn(f"pictures are drawn with Python's {lacks}, which is missing: apt install python3-{lacks}", done.stderr)
+        self.assertFalse((self.folder / "never.png").exists())
+
+    def test_new_case_and_bench(self):
+        """`fissura new` writes a case that `check` takes, `check --picture` draws it, `bench` times a step."""
+        case = self.folder / "tie" / "case.toml"
+        done = fissura("new", "tie", case.parent)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"wrote {case}; next: fissura check {case}", done.stdout)
+        again = fissura("new", "tie", case.parent)
+        self.assertEqual((again.returncode, again.stderr), (2, f"fissura: {case} exists already; choose another folder\n"))
+        self.assertIn("there is no template `bridge`", fissura("new", "bridge", self.folder / "bridge").stderr)
+        picture = self.folder / "tie.png"
+        self.assertEqual(fissura("check", case, "--picture", picture).returncode, 0)
+        self.assertEqual(picture.read_bytes()[:8], PNG)
+        self.assertIn("ns per tet-step", fissura("bench", "--tets", "500", "--steps", "20").stdout)
+        self.assertEqual(fissura("bench", "--scene", "moon").returncode, 2)
+
+    def test_run_that_fails(self):
+        """A run that goes wrong ends with 1 and its reason."""
+        done = fissura("run", DECK, *SMALL, "--no-report", "--out", self.folder / "wrong", "--set", 'run.dt="0.1 ms"')
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("fissura: the run failed: ", done.stderr)
+
+    def test_out_of_memory(self):
+        """A case that needs more memory than there is ends with 1 and the way to learn what it needs."""
+        little = lambda: resource.setrlimit(resource.RLIMIT_AS, (500 << 20, 500 << 20))
+        done = subprocess.run([PROGRAM, "check", str(DECK), "--set", "mesh.box.0.cells=[400,100,100]"], capture_output=True, text=True,
+                              preexec_fn=little, timeout=120)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("fissura: out of memory; `fissura check` tells what a case needs", done.stderr)
+
+    def test_unit_database_missing(self):
+        """Without the database of units nothing can be read, and the error names it (exit 3)."""
+        done = fissura("check", DECK, UDUNITS2_XML_PATH=self.folder / "udunits2.xml")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("cannot read the unit database of UDUNITS-2 (udunits2.xml)", done.stderr)
 
     def test_words_of_the_command_line(self):
         """A mistyped command, a folder for its deck and a time without sense are told with what would be right (exit 2); times may

@@ -69,23 +69,13 @@ struct Descriptor {
   }
 };
 
-std::string read_all(std::string const& path) {
+std::string bytes_in(std::string const& path) {
   Descriptor const file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.value < 0) output::throw_io_error("open", path, errno);
   struct stat about {};
-  if (::fstat(file.value, &about) != 0) output::throw_io_error("look at", path, errno);
-  if (!S_ISREG(about.st_mode)) throw core::InputError({path}, "this is not a file");
-  std::string bytes(static_cast<std::size_t>(about.st_size), '\0');
-  std::size_t have = 0;
-  while (have < bytes.size()) {
-    ssize_t const n = ::read(file.value, bytes.data() + have, bytes.size() - have);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) output::throw_io_error("read", path, errno);
-    if (n == 0) break;
-    have += static_cast<std::size_t>(n);
-  }
-  bytes.resize(have);
-  return bytes;
+  if (::fstat(file.value, &about) != 0 || !S_ISREG(about.st_mode))
+    throw core::InputError({path}, "this is not a file");
+  return output::read_all(file.value, static_cast<std::size_t>(about.st_size), path);
 }
 
 } // namespace
@@ -120,9 +110,10 @@ std::string_view contents_of(std::string_view bytes, std::string const& path) {
                        version, format_version));
   if (version == 0) refuse("this checkpoint has been altered: there is no format 0");
   if (version < format_version)
-    refuse(fmt::format("this checkpoint has the format {}, this program reads {}: go on with the program that "
-                       "wrote it",
-                       version, format_version));
+    refuse(
+        fmt::format("this checkpoint has the format {}, this program reads {}: go on with the program that "
+                    "wrote it",
+                    version, format_version));
   if (bytes.size() < head_size + tail_size || bytes.substr(bytes.size() - end_mark.size()) != end_mark)
     refuse("this checkpoint has been cut off, or altered at its end");
   std::size_t const tail = bytes.size() - tail_size;
@@ -134,7 +125,7 @@ std::string_view contents_of(std::string_view bytes, std::string const& path) {
 }
 
 std::string read_file(std::string const& path) {
-  std::string bytes = read_all(path);
+  std::string bytes = bytes_in(path);
   std::size_t const size = contents_of(bytes, path).size();
   bytes.resize(head_size + size);
   bytes.erase(0, head_size);

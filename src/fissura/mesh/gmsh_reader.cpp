@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 #include <gmsh.h>
 
-#include "fissura/core/error.hpp"
+#include "fissura/core/ensure.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/gmsh_session.hpp"
 #include "fissura/mesh/msh_reader.hpp"
@@ -117,10 +117,8 @@ struct Import {
 
   int point(std::size_t tag) const {
     auto const found = std::lower_bound(node_tags.begin(), node_tags.end(), tag);
-    if (found == node_tags.end() || *found != tag)
-      refuse(path, fmt::format("an element names node {}, which is not "
-                               "in the mesh",
-                               tag));
+    core::ensure(found != node_tags.end() && *found == tag,
+                 "gmsh gave an element a node that it does not have");
     return static_cast<int>(found - node_tags.begin());
   }
 };

@@ -8,6 +8,9 @@ namespace fissura::model {
 /// concrete whose group does not exist, or a group claimed twice.
 std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh);
 
+/// Throws core::Error (input) for 2^27 tets or more: the numbers of their nodes' coordinates would overflow.
+void check_tet_count(std::size_t tets);
+
 /// Fills in Model::tets, joints, joint_of_shared_face, bonding, position and mass from source, mesh,
 /// adjacency and material_of_tet. Steel mass (Model::steel_mass) is added by add_steel_mass.
 void make_blocks(Model& m);

@@ -16,8 +16,7 @@ std::array<double, 3> moduli_of(ConcreteSpec const& c) {
 /// Padding lanes: identity edges, no volume, no mass.
 void make_tet_data(Model& m) {
   auto& t = m.tets;
-  if (m.mesh.tets.size() >= (std::size_t{1} << 27))
-    throw core::Error(core::Failure::input, "more than 134 million tets: the node numbers would overflow");
+  check_tet_count(m.mesh.tets.size());
   t.count = static_cast<int>(m.mesh.tets.size());
   std::size_t const n = t.blocks() * block;
   t.gradient = core::Buffer<double>(9 * n);
@@ -102,6 +101,11 @@ void renew_inverse_masses(Model& m) {
 }
 
 } // namespace
+
+void check_tet_count(std::size_t tets) {
+  if (tets >= (std::size_t{1} << 27U))
+    throw core::Error(core::Failure::input, "more than 134 million tets: the node numbers would overflow");
+}
 
 void make_blocks(Model& m) {
   make_tet_data(m);

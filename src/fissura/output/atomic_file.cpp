@@ -28,6 +28,24 @@ void write_all(int descriptor, std::string_view bytes, std::string const& path) 
   }
 }
 
+std::string read_all(int descriptor, std::size_t expected, std::string const& path) {
+  std::string bytes(expected, '\0');
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    ssize_t const n = ::read(descriptor, bytes.data() + have, bytes.size() - have);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw_io_error("read", path, errno);
+    if (n == 0) break;
+    have += static_cast<std::size_t>(n);
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+void close_file(int descriptor, std::string const& path) {
+  if (::close(descriptor) != 0) throw_io_error("close", path, errno);
+}
+
 // Some network file systems refuse to flush a folder; the data is safe anyway.
 void flush_folder(std::string const& folder) {
   int const descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -65,7 +83,7 @@ void AtomicFile::write(std::string_view bytes) {
 
 void AtomicFile::commit() {
   if (::fsync(descriptor_) != 0) throw_io_error("flush", temporary_, errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0) throw_io_error("close", temporary_, errno);
+  close_file(std::exchange(descriptor_, -1), temporary_);
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("rename to", path_, errno);
   temporary_.clear();
   flush_folder_of(path_);

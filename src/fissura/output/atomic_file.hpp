@@ -14,6 +14,13 @@ namespace fissura::output {
 /// Writes all bytes to a descriptor, continuing after short writes and interrupts; throws as above.
 void write_all(int descriptor, std::string_view bytes, std::string const& path);
 
+/// All bytes of an open file from where it stands, `expected` of them or fewer if it ends before; throws as
+/// above.
+std::string read_all(int descriptor, std::size_t expected, std::string const& path);
+
+/// Closes a file that was written to; throws as above, for what the system could not keep after all.
+void close_file(int descriptor, std::string const& path);
+
 /// Makes what was renamed or removed in a folder durable; throws as above.
 void flush_folder(std::string const& folder);
 

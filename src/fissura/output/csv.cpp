@@ -104,7 +104,7 @@ void CsvWriter::flush() {
 
 void CsvWriter::close() {
   flush();
-  if (::close(std::exchange(descriptor_, -1)) != 0) throw_io_error("close", path_, errno);
+  close_file(std::exchange(descriptor_, -1), path_);
 }
 
 } // namespace fissura::output

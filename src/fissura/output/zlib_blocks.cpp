@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <fmt/core.h>
 #include <vector>
 #include <zlib.h>
 
-#include "fissura/core/error.hpp"
+#include "fissura/core/ensure.hpp"
 
 namespace fissura::output {
 
@@ -28,8 +27,7 @@ std::string zlib_blocks(std::string_view bytes, std::size_t block_size) {
     // more.
     int const status = ::compress2(packed.data(), &size, reinterpret_cast<Bytef const*>(block.data()),
                                    block.size(), Z_BEST_SPEED);
-    if (status != Z_OK)
-      throw core::Error(core::Failure::run, fmt::format("zlib failed: {}", ::zError(status)));
+    core::ensure(status == Z_OK, ::zError(status));
     header[3 + b] = size;
     out.append(reinterpret_cast<char const*>(packed.data()), size);
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "fissura/core/ensure.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/geometry/triangle.hpp"
 #include "fissura/rebar/merge_short.hpp"
@@ -149,14 +150,11 @@ class Builder {
 void check_length(model::Bars const& bars, std::size_t first, double length) {
   double at = 0;
   for (std::size_t e = first; e < bars.elements.size(); ++e) {
-    if (std::abs(bars.elements[e].start - at) > 1e-9 * length || !(bars.elements[e].length > 0))
-      throw core::Error(core::Failure::run, fmt::format("embedding lost its way at {:g} m of bar '{}'", at,
-                                                        bars.properties[bars.elements[e].bar].name));
+    core::ensure(std::abs(bars.elements[e].start - at) <= 1e-9 * length && bars.elements[e].length > 0,
+                 "the embedding of a bar lost its way");
     at += bars.elements[e].length;
   }
-  if (std::abs(at - length) > 1e-9 * length)
-    throw core::Error(core::Failure::run,
-                      fmt::format("embedding kept {:.9g} m of {:.9g} m of a bar", at, length));
+  core::ensure(std::abs(at - length) <= 1e-9 * length, "the embedding of a bar did not keep its length");
 }
 
 void account(BarReport& r, model::Bars const& bars, std::size_t first_element, std::size_t first_joint) {

@@ -7,7 +7,7 @@
 #include <vector>
 #include <zlib.h>
 
-#include "fissura/core/error.hpp"
+#include "fissura/core/ensure.hpp"
 
 namespace fissura::report {
 
@@ -55,7 +55,7 @@ std::string Blob::text() const {
   std::string packed(size, '\0');
   int const status = ::compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                                  reinterpret_cast<Bytef const*>(all.data()), all.size(), 6);
-  if (status != Z_OK) throw core::Error(core::Failure::run, std::string("zlib failed: ") + ::zError(status));
+  core::ensure(status == Z_OK, ::zError(status));
   packed.resize(size);
   return base64(packed);
 }

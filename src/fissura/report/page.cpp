@@ -3,7 +3,7 @@
 #include <array>
 #include <ctime>
 
-#include "fissura/core/error.hpp"
+#include "fissura/core/ensure.hpp"
 
 namespace fissura::report {
 
@@ -12,15 +12,14 @@ namespace {
 /// The text with the first `mark` replaced.
 void put(std::string& page, std::string_view mark, std::string const& text) {
   std::size_t const at = page.find(mark);
-  if (at == std::string::npos)
-    throw core::Error(core::Failure::run, "the page built into this program has no " + std::string(mark));
+  core::ensure(at != std::string::npos, "the page built into this program has no " + std::string(mark));
   page.replace(at, mark.size(), text);
 }
 
 } // namespace
 
-void require_page() {
-  if (page_template().empty())
+void require_page(std::string_view page) {
+  if (page.empty())
     throw core::Error(
         core::Failure::io,
         "this program was built without the report page: its parts (three.js, uPlot) come from npm. "
@@ -28,9 +27,9 @@ void require_page() {
         "on)");
 }
 
-std::string fill_page(std::string const& title, std::string const& numbers) {
-  require_page();
-  std::string page(page_template());
+std::string fill_page(std::string const& title, std::string const& numbers, std::string_view bundled) {
+  require_page(bundled);
+  std::string page(bundled);
   // From the end to the start: what is put in is never searched.
   put(page, "@@NUMBERS@@", numbers);
   put(page, "@@TITLE@@", escape_html(title));

@@ -30,9 +30,7 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   ~LogFile() override {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  void close() {
-    if (::close(std::exchange(descriptor_, -1)) != 0) output::throw_io_error("close", path_, errno);
-  }
+  void close() { output::close_file(std::exchange(descriptor_, -1), path_); }
   LogFile(LogFile const&) = delete;
   LogFile& operator=(LogFile const&) = delete;
 

@@ -4,7 +4,7 @@ code 3 and names the file and the reason, and every file that was whole before i
 
 Runs a small case again and again; in run n the shim makes the n-th such call below the run folder fail, until a
 run meets no n-th call any more; then the same while a run goes on from a checkpoint, which must go on from it
-again afterwards.  fault_injection.py PROGRAM SHIM [--stays] [--errno NAME]
+again afterwards.  fault_injection.py PROGRAM SHIM [--stays] [--each] [--errno NAME]
 """
 import argparse
 import errno
@@ -78,11 +78,27 @@ def goes_on(program, out):
     return [] if again.returncode == 0 else [f'cannot go on afterwards: exit code {again.returncode}: {again.stderr}']
 
 
-def sweep(program, shim, code, stays, step, stopped=None):
-    """Number of calls and the list of complaints: of a new run, or of one that goes on from a copy of `stopped`."""
+def all_calls(program, shim, stopped):
+    """The calls of a run in which none fails, as `kind file`, the numbers in the names of files made one."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(os.path.realpath(folder), 'run')
+        if stopped:
+            shutil.copytree(stopped, out)
+        environment = {'LD_PRELOAD': shim, 'FISSURA_FAULT_FOLDER': out, 'FISSURA_FAULT_CALL': '0', 'FISSURA_FAULT_ERRNO': '0',
+                       'FISSURA_FAULT_LIST': '1'}
+        result = run(program, out, environment, begin='--restart' if stopped else '--out')
+        calls = re.findall(r'\[call ([a-z]+) (.*)\]', result.stderr)
+        bad = [] if result.returncode == 0 else [f'without a fault: exit code {result.returncode}: {result.stderr}']
+        return [f'{kind} {re.sub("[0-9]+", "0", file[len(out):])}' for kind, file in calls], bad
+
+
+def sweep(program, shim, code, stays, each, stopped=None):
+    """Number of calls, number of those made to fail, and the list of complaints: of a new run, or of one that goes on from a copy
+    of `stopped`."""
     reason = os.strerror(code)
-    bad, n = [], 1
-    while True:
+    calls, bad = all_calls(program, shim, stopped)
+    numbers = sorted({call: n for n, call in reversed([*enumerate(calls, 1)])}.values()) if each else range(1, len(calls) + 1)
+    for n in numbers:
         with tempfile.TemporaryDirectory() as folder:
             folder = os.path.realpath(folder)
             out = os.path.join(folder, 'run')
@@ -95,23 +111,22 @@ def sweep(program, shim, code, stays, step, stopped=None):
             result = run(program, out, environment, begin='--restart' if stopped else '--out')
             call = re.search(r'\[fault ([a-z]+)\]', result.stderr)
             if not call:
-                if result.returncode != 0:
-                    bad.append(f'without a fault: exit code {result.returncode}: {result.stderr}')
-                return n - 1, bad
+                bad.append(f'call {n} ({calls[n - 1]}): it never came')
+                continue
             found = complaints(result, reason, stays, out) + (goes_on(program, out) if stopped else [])
             for complaint in found:
-                bad.append(f'call {n} ({call.group(1)}): {complaint}; it said: {result.stderr.strip()[-200:]}')
-        n += step
+                bad.append(f'call {n} ({calls[n - 1]}): {complaint}; it said: {result.stderr.strip()[-200:]}')
+    return len(calls), len(numbers), bad
 
 
-def sweep_restart(program, shim, code, stays, step):
+def sweep_restart(program, shim, code, stays, each):
     """The same for a run that was stopped between two checkpoints and goes on."""
     with tempfile.TemporaryDirectory() as folder:
         stopped = os.path.join(os.path.realpath(folder), 'stopped')
         begun = run(program, stopped, {}, *STOPS)
         if begun.returncode != 0:
-            return 0, [f'the run to go on from: exit code {begun.returncode}: {begun.stderr}']
-        return sweep(program, shim, code, stays, step, stopped)
+            return 0, 0, [f'the run to go on from: exit code {begun.returncode}: {begun.stderr}']
+        return sweep(program, shim, code, stays, each, stopped)
 
 
 def check_full_device(program):
@@ -145,17 +160,17 @@ def main():
     parser.add_argument('shim')
     parser.add_argument('--stays', action='store_true', help='all later calls fail as well, as on a full disk')
     parser.add_argument('--errno', default='ENOSPC')
-    parser.add_argument('--step', type=int, default=1, help='try every so manieth call only')
+    parser.add_argument('--each', action='store_true', help='of the calls of one kind for one kind of file only the first')
     arguments = parser.parse_args()
     program = os.path.abspath(arguments.program)
-    how = (program, os.path.abspath(arguments.shim), getattr(errno, arguments.errno), arguments.stays, arguments.step)
-    calls, bad = sweep(*how)
-    calls_on, bad_on = sweep_restart(*how)
+    how = (program, os.path.abspath(arguments.shim), getattr(errno, arguments.errno), arguments.stays, arguments.each)
+    calls, failed, bad = sweep(*how)
+    calls_on, failed_on, bad_on = sweep_restart(*how)
     bad += bad_on + check_full_device(program)
-    print(f'{calls} calls of a new run and {calls_on} of one that goes on, each made to fail with {arguments.errno}: '
-          f'{len(bad)} complaints')
+    print(f'{failed} of {calls} calls of a new run and {failed_on} of {calls_on} of one that goes on, each made to fail with '
+          f'{arguments.errno}: {len(bad)} complaints')
     print('\n'.join(bad[:40]))
-    sys.exit(1 if bad or min(calls, calls_on) < 20 else 0)
+    sys.exit(1 if bad or min(failed, failed_on) < 20 else 0)
 
 
 if __name__ == '__main__':

@@ -1,5 +1,6 @@
 /* Loaded before the C library by fault_injection.py: makes the n-th call that could change a file below
-   FISSURA_FAULT_FOLDER fail with FISSURA_FAULT_ERRNO (and all later ones, with FISSURA_FAULT_STAYS). */
+   FISSURA_FAULT_FOLDER fail with FISSURA_FAULT_ERRNO (and all later ones, with FISSURA_FAULT_STAYS). With FISSURA_FAULT_LIST
+   it names every such call on the terminal. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 static long calls = 0;
+static char about[2 * PATH_MAX]; /* the file that the last call meant */
 
 static int is_below(char const* path) {
   char const* folder = getenv("FISSURA_FAULT_FOLDER");
@@ -25,7 +27,9 @@ static int is_below(char const* path) {
     strncat(whole, path, PATH_MAX - 2);
     path = whole;
   }
-  return strncmp(path, folder, strlen(folder)) == 0;
+  if (strncmp(path, folder, strlen(folder)) != 0) return 0;
+  if (path != about) snprintf(about, sizeof about, "%s", path);
+  return 1;
 }
 
 static int is_descriptor_below(int descriptor) {
@@ -44,6 +48,7 @@ static int fails(char const* call) {
   if (!wanted || !code) return 0;
   long const n = atol(wanted);
   ++calls;
+  if (getenv("FISSURA_FAULT_LIST")) dprintf(2, "[call %s %s]\n", call, about);
   if (calls != n && !(getenv("FISSURA_FAULT_STAYS") && calls > n)) return 0;
   if (calls == n) dprintf(2, "[fault %s]\n", call);
   errno = atoi(code);

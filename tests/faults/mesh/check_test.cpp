@@ -81,6 +81,19 @@ TEST(CheckMesh, corner_does_not_exist) {
   expect_refusal(m, {"no point of the mesh", "tet 12"});
 }
 
+// Requirement: a group of any kind with a point that does not exist is refused by name, and so is an empty
+// one.
+TEST(CheckMesh, groups_of_points_that_do_not_exist) {
+  Mesh m = two_tets();
+  m.face_groups = {{"top", {{0, 1, 77}}}};
+  m.line_groups = {{"bar", {{0, -1}}}};
+  m.point_groups = {{"tip", {5}}, {"none", {}}};
+  expect_refusal(m, {"surface group 'top' has a point that is no point of the mesh",
+                     "curve group 'bar' has a point that is no point of the mesh",
+                     "point group 'tip' has a point that is no point of the mesh",
+                     "point group 'none' is empty"});
+}
+
 // Requirement: an inverted tet is refused with its input number and centroid.
 TEST(CheckMesh, inverted_tet) {
   Mesh m = two_tets();

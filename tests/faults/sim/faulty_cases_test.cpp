@@ -124,6 +124,13 @@ std::vector<Fault> const faults{
      [](model::Case& c) { c.concretes[0].groups = {"slab"}, c.concretes[0].place = line(10); },
      10,
      {"slab", "concrete"}},
+    {"group_of_two_concretes",
+     [](model::Case& c) {
+       c.concretes[0].groups = {"concrete"};
+       c.concretes.push_back(c.concretes[0]), c.concretes[1].place = line(12), c.concretes[1].name = "other";
+     },
+     12,
+     {"volume group `concrete` already belongs to [[concrete]] `"}},
     {"group_without_concrete",
      [](model::Case& c) {
        c.mesh.boxes.push_back(box_of_cells("slab", {0.6, 0, 0}, {0.9, 0.1, 0.1}, {2, 2, 2}));
@@ -203,6 +210,13 @@ std::vector<Fault> const faults{
      },
      31,
      {"strian"}},
+    {"path_of_no_motion",
+     [](model::Case& c) {
+       c.motions[0].path.emplace();
+       c.motions[0].path->place = line(31), c.motions[0].path->of = "push";
+     },
+     31,
+     {"there is no [[motion]] `push` with a path"}},
     {"joint_region_on_nothing",
      [](model::Case& c) {
        model::JointRegionSpec r;

@@ -172,6 +172,31 @@ TEST(CheckpointStore, adopts_a_checkpoint) {
   EXPECT_EQ(read_bytes(folder / "b/checkpoints/checkpoint_00001.bin"), read_bytes(path));
 }
 
+// Requirement: a folder that cannot be made and an old checkpoint that cannot be removed are I/O failures
+// with path and reason; the new checkpoint is there all the same.
+TEST(CheckpointStore, names_what_it_cannot_do) {
+  TemporaryFolder const folder;
+  auto const io_error = [](std::function<void()> const& action) -> std::string {
+    try {
+      action();
+    } catch (core::Error const& e) {
+      EXPECT_EQ(e.failure, core::Failure::io);
+      return e.what();
+    }
+    return "no error";
+  };
+  overwrite(folder / "file", "");
+  EXPECT_EQ(io_error([&] { Store(folder / "file"); }),
+            folder / "file" + "/checkpoints: cannot create the folder: Not a directory");
+  std::string const stubborn = folder / "checkpoints/checkpoint_00001.bin";
+  fs::create_directories(stubborn + "/more");
+  Store store(folder.name());
+  store.write([](Saver& save) { save(2); });
+  EXPECT_EQ(io_error([&] { store.write([](Saver& save) { save(3); }); }),
+            "cannot remove '" + stubborn + "': Directory not empty");
+  EXPECT_NO_THROW(read_file(folder / "checkpoints/checkpoint_00003.bin"));
+}
+
 // Requirement: a place without a checkpoint, and a checkpoint away from its run folder, are refused in words.
 TEST(CheckpointStore, names_what_is_missing) {
   TemporaryFolder const folder;

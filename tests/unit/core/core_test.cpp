@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fissura/core/buffer.hpp"
+#include "fissura/core/ensure.hpp"
 #include "fissura/core/error.hpp"
 #include "fissura/core/finite.hpp"
 #include "fissura/core/hash.hpp"
@@ -34,6 +35,19 @@ TEST(InputError, names_every_finding) {
   EXPECT_EQ(e.failure, Failure::input);
   EXPECT_EQ(e.diagnostics.size(), 2u);
   EXPECT_EQ(InputError(Place{"a", 1, 1}, "x").diagnostics.size(), 1u);
+}
+
+// Requirement: what the program must be able to rely on and cannot ends the run as an internal error, in
+// words.
+TEST(Ensure, names_an_internal_error) {
+  EXPECT_NO_THROW(ensure(true, "all is well"));
+  try {
+    ensure(false, "the page has no title");
+    FAIL();
+  } catch (Error const& e) {
+    EXPECT_EQ(e.failure, Failure::run);
+    EXPECT_STREQ(e.what(), "internal error: the page has no title");
+  }
 }
 
 // Requirement: the finite test knows infinities and NaN by their bits.

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "fissura/deck/scan.hpp"
+#include "support/unprivileged.hpp"
 
 namespace {
 using namespace fissura;
@@ -591,6 +592,22 @@ TEST_F(DeckFiles, MissingDeck) {
   } catch (core::Error const& e) {
     EXPECT_EQ(e.failure, core::Failure::input);
     EXPECT_NE(std::string(e.what()).find("nothing.toml"), std::string::npos);
+  }
+}
+
+// A deck that may not be read is an input/output failure that names it.
+TEST_F(DeckFiles, UnreadableDeck) {
+  write("secret.toml", "title = \"secret\"\n");
+  std::filesystem::permissions(folder, std::filesystem::perms(0755));
+  std::filesystem::permissions(folder / "secret.toml", std::filesystem::perms(0));
+  support::Unprivileged const nobody;
+  if (!nobody.is()) GTEST_SKIP() << "root stays root here";
+  try {
+    deck::read_case(folder / "secret.toml");
+    FAIL() << "accepted";
+  } catch (core::Error const& e) {
+    EXPECT_EQ(e.failure, core::Failure::io);
+    EXPECT_EQ(e.what(), "cannot read the deck \"" + (folder / "secret.toml").string() + "\"");
   }
 }
 

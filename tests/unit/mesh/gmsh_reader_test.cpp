@@ -10,6 +10,7 @@
 #include "fissura/geometry/triangle.hpp"
 #include "fissura/mesh/check.hpp"
 #include "fissura/mesh/gmsh_reader.hpp"
+#include "fissura/mesh/gmsh_session.hpp"
 #include "fissura/mesh/quality.hpp"
 
 namespace fissura::mesh {
@@ -250,6 +251,25 @@ TEST(ReadGmsh, refuses_a_file_of_many_gigabytes) {
   Written const file("large.msh", two_tets_2_2);
   std::filesystem::resize_file(file.path, (std::uintmax_t{8} << 30U) + 1); // takes no room on the disk
   expect_part(refusal(file.path), "the mesh file is larger than 8 GiB");
+}
+
+// Requirement: whatever gmsh throws becomes an error at the file with gmsh's words, the line among them.
+TEST(GmshSession, turns_what_gmsh_throws_into_errors) {
+  GmshSession const session("beam.geo");
+  auto const said = [&](auto const& thrown) -> std::string {
+    try {
+      session.guard([&] { throw thrown; });
+    } catch (core::InputError const& e) {
+      return e.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(said(std::string("'beam.geo', line 12: no such curve")),
+            "beam.geo:12: error: gmsh cannot make a mesh of this file: 'beam.geo', line 12: no such curve");
+  EXPECT_EQ(said(std::runtime_error("out of luck")),
+            "beam.geo: error: gmsh cannot make a mesh of this file: out of luck");
+  EXPECT_EQ(said(7), "beam.geo: error: gmsh cannot make a mesh of this file: unknown error");
+  EXPECT_EQ(said(core::InputError({"other.msh"}, "ours")), "other.msh: error: ours");
 }
 
 // Requirement: elements other than first-order tets are refused with their count and type.

@@ -255,7 +255,8 @@ TEST(ReadInp, survives_changed_bytes) {
   }
 }
 
-// Requirement: an .inp file that is not there, and a folder in its place, are refused in words.
+// Requirement: an .inp file that is not there, a folder in its place, and one that is larger than any mesh
+// are refused in words.
 TEST(ReadInp, refuses_what_is_no_file) {
   auto const folder =
       std::filesystem::temp_directory_path() / ("fissura-folder-" + std::to_string(::getpid()) + ".inp");
@@ -270,6 +271,10 @@ TEST(ReadInp, refuses_what_is_no_file) {
   EXPECT_NE(refusal_of_path().find("no such mesh file"), std::string::npos);
   std::filesystem::create_directory(folder);
   EXPECT_NE(refusal_of_path().find("the mesh file is not a regular file"), std::string::npos);
+  std::filesystem::remove(folder);
+  std::ofstream(folder) << "*NODE\n";
+  std::filesystem::resize_file(folder, (std::uintmax_t{2} << 30U) + 1); // takes no room on the disk
+  EXPECT_NE(refusal_of_path().find("the mesh file is larger than 2 GiB"), std::string::npos);
   std::filesystem::remove(folder);
 }
 

@@ -213,6 +213,21 @@ TEST(Msh, refuses_what_cannot_be_in_2_2) {
       << refusal(bytes + std::string("\4\0\0\0\7\0\0\0\0\0\0\0", 12));
 }
 
+// Requirement: more entities, or more groups, than any mesh has are refused before there is room for them.
+TEST(Msh, bounds_entities_and_groups) {
+  EXPECT_NE(refusal(head + "$Entities\n500001 0 0 0\n" + std::string(8 * 500001, ' '))
+                .find("a.msh:5: error: more than 500000 entities"),
+            std::string::npos);
+  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+                     "$EndNodes\n$Elements\n100001\n";
+  for (int i = 1; i <= 100001; ++i) {
+    auto const n = std::to_string(i);
+    text += n + " 4 2 " + n + ' ' + n + " 1 2 3 4\n";
+  }
+  EXPECT_NE(refusal(text + "$EndElements\n").find("error: more than 100000 groups"), std::string::npos)
+      << refusal(text + "$EndElements\n");
+}
+
 // Requirement: an element in more groups than a file of its size can name is refused before memory runs out.
 TEST(Msh, bounds_overlapping_groups) {
   std::string text = head + "$Entities\n0 0 1 0\n1 0 0 0 1 1 1 3000";

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fissura/core/error.hpp"
+#include "support/unprivileged.hpp"
 
 namespace fissura::model {
 namespace {
@@ -144,6 +145,28 @@ TEST(Record, is_scaled_to_its_pga) {
   Record zero;
   zero.times = {0, 1}, zero.acceleration = {0, 0};
   EXPECT_THROW(correct_and_integrate(zero, spec), core::InputError);
+}
+
+// Requirement: a record that may not be read is an input/output failure that names it.
+TEST(Record, that_may_not_be_read) {
+  auto const path = std::filesystem::temp_directory_path() / ("fissura_secret_" + std::to_string(::getpid()));
+  std::ofstream(path) << "0 0\n1 0\n";
+  std::filesystem::permissions(path, std::filesystem::perms(0));
+  RecordSpec spec;
+  spec.file = path.string();
+  std::string said = "accepted";
+  bool skipped = false;
+  try {
+    support::Unprivileged const nobody;
+    skipped = !nobody.is();
+    read_record(spec);
+  } catch (core::Error const& e) {
+    EXPECT_EQ(e.failure, core::Failure::io);
+    said = e.what();
+  }
+  std::filesystem::remove(path);
+  if (skipped) GTEST_SKIP() << "root stays root here";
+  EXPECT_EQ(said, "cannot read the record \"" + spec.file + "\"");
 }
 
 // Requirement: a file that is not there or that is huge is refused by name.

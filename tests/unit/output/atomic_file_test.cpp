@@ -1,6 +1,8 @@
+#include <fcntl.h>
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/atomic_file.hpp"
@@ -90,6 +92,29 @@ TEST(AtomicFile, FlushFails) {
   fs::create_symlink("/dev/null", path + ".part"); // takes every byte, but cannot be flushed
   expect_io_error([&] { replace_file(path, "x"); }, {"cannot flush '" + path, "Invalid argument"});
   EXPECT_FALSE(fs::exists(path));
+}
+
+// Requirement: a read, a close and the flush of a folder that fail are I/O failures with path and reason.
+TEST(AtomicFile, OtherCallsFail) {
+  TemporaryFolder folder;
+  int const only_written = ::open((folder / "w").c_str(), O_WRONLY | O_CREAT, 0666);
+  expect_io_error([&] { read_all(only_written, 10, folder / "w"); },
+                  {"cannot read '" + folder / "w", "Bad file descriptor"});
+  EXPECT_NO_THROW(close_file(only_written, folder / "w"));
+  expect_io_error([&] { close_file(only_written, folder / "w"); },
+                  {"cannot close '" + folder / "w", "Bad file descriptor"});
+  expect_io_error([&] { flush_folder(folder / "gone"); },
+                  {"cannot open the folder '" + folder / "gone", "No such file or directory"});
+}
+
+// Requirement: a file is read from where it stands, and no further than it goes.
+TEST(AtomicFile, ReadsWhatIsThere) {
+  TemporaryFolder folder;
+  replace_file(folder / "f", "0123456789");
+  int const descriptor = ::open((folder / "f").c_str(), O_RDONLY);
+  EXPECT_EQ(read_all(descriptor, 4, folder / "f"), "0123");
+  EXPECT_EQ(read_all(descriptor, 99, folder / "f"), "456789");
+  close_file(descriptor, folder / "f");
 }
 
 // Requirement: a rename that fails is an I/O failure naming the target, and no temporary stays.

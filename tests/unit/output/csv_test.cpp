@@ -2,12 +2,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <sstream>
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/csv.hpp"
+#include "support/unprivileged.hpp"
 #include "temporary_folder.hpp"
 
 namespace fissura::output {
@@ -117,6 +119,39 @@ TEST(Csv, refuses_to_go_on_with_another_file) {
   EXPECT_NE(reason("b", 19).find("columns"), std::string::npos);
   EXPECT_NE(reason("a", 18).find("no line ends"), std::string::npos);
   EXPECT_EQ(reason("a", 19), "not refused");
+}
+
+/// What an I/O failure says.
+std::string io_error(std::function<void()> const& action) {
+  try {
+    action();
+  } catch (core::Error const& e) {
+    EXPECT_EQ(e.failure, core::Failure::io);
+    return e.what();
+  }
+  return "no error";
+}
+
+// Requirement: a file to go on with that is gone, or may only be read, is an I/O failure with path and
+// reason.
+TEST(Csv, CannotGoOnWithoutTheFile) {
+  TemporaryFolder const folder;
+  std::string const path = folder / "h.csv";
+  EXPECT_EQ(io_error([&] { CsvWriter(path, {}, 9); }),
+            "cannot open '" + path + "': No such file or directory");
+  CsvWriter(path, {}).close();
+  std::filesystem::permissions(folder.name(), std::filesystem::perms(0755));
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  support::Unprivileged const nobody;
+  if (!nobody.is()) GTEST_SKIP() << "root stays root here";
+  EXPECT_EQ(io_error([&] { CsvWriter(path, {}, 9); }), "cannot open '" + path + "': Permission denied");
+}
+
+// Requirement: a flush that the system refuses is an I/O failure: a null device takes rows and keeps nothing.
+TEST(Csv, FlushFails) {
+  CsvWriter csv("/dev/null", {});
+  csv.row(0, {});
+  EXPECT_EQ(io_error([&] { csv.flush(); }), "cannot flush '/dev/null': Invalid argument");
 }
 
 } // namespace

@@ -209,6 +209,31 @@ TEST(Embed, BarThroughGapIsAnError) {
                core::InputError);
 }
 
+std::string refusal(mesh::Mesh const& mesh, model::BarSpec const& bar) {
+  try {
+    embed(mesh, {bar});
+  } catch (core::InputError const& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// A bar that passes from one body to another that touches it without sharing a face is an error that says
+// what to do: meshes that were not joined.
+TEST(Embed, BarBetweenBodiesThatOnlyTouchIsAnError) {
+  mesh::Mesh m;
+  m.points = {{-1, 0, 0}, {0, -1, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}, {0, 0, 1}};
+  m.tets = {{0, 1, 2, 3}, {4, 6, 5, 7}};
+  for (auto& t : m.tets)
+    if (geometry::volume(corners(m, static_cast<int>(&t - m.tets.data()))) < 0) std::swap(t[1], t[2]);
+  m.tet_group = {0, 0}, m.volume_groups = {"concrete"}, m.input_id = {1, 2};
+  EXPECT_NE(refusal(m, bar_along({{-0.3, 0, -0.2}, {0.3, 0, -0.2}}))
+                .find("m between two bodies that touch but "
+                      "share no faces; join their meshes"),
+            std::string::npos)
+      << refusal(m, bar_along({{-0.3, 0, -0.2}, {0.3, 0, -0.2}}));
+}
+
 // An unknown steel, an unknown curve and a bar without length are errors.
 TEST(Embed, ImpossibleBarsAreErrors) {
   auto bar = bar_along({{0.1, 0.1, 0.1}, {0.9, 0.1, 0.1}});
@@ -219,15 +244,6 @@ TEST(Embed, ImpossibleBarsAreErrors) {
   EXPECT_THROW(embed(kuhn_box({2, 2, 2}, {1, 1, 1}), {bar}), core::InputError);
   EXPECT_THROW(embed(kuhn_box({2, 2, 2}, {1, 1, 1}), {bar_along({{0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}})}),
                core::InputError);
-}
-
-std::string refusal(mesh::Mesh const& mesh, model::BarSpec const& bar) {
-  try {
-    embed(mesh, {bar});
-  } catch (core::InputError const& e) {
-    return e.what();
-  }
-  return "";
 }
 
 // A curve that is no single line, and a bar without a section, are errors at the bar's place that say why.

@@ -50,6 +50,35 @@ TEST(BarForces, ForceAndMomentAreConserved) {
     }
 }
 
+/// Why the laws of a bar's joints, or the workspace of its forces, cannot be made.
+std::string refusal(auto const& action) {
+  try {
+    action();
+  } catch (core::Error const& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+// A bar whose steel cannot be is refused at its place in the deck, by name; forces without laws, or without
+// room for them, are errors of the program that it names.
+TEST(BarForces, WhatTheyNeed) {
+  BarModel b(two_tets(0.1), {bar_along({{-0.04, 0.01, 0}, {0.04, 0.01, 0}})});
+  b.m.bars.properties[0].steel.f_u = 0;
+  EXPECT_NE(
+      refusal([&] {
+        rebar::set_bar_joint_laws(b.m);
+      }).find("case.toml:7:1: error: bar 'bar': steel: the tensile strength f_u must not be less than f_y"),
+      std::string::npos)
+      << refusal([&] { rebar::set_bar_joint_laws(b.m); });
+  b.m.bars.joint_law.clear();
+  EXPECT_EQ(refusal([&] { rebar::make_bar_scratch(b.m, b.w.overlay); }),
+            "bar joints have no laws yet: set_bar_joint_laws comes first");
+  BarModel const sound(two_tets(0.1), {bar_along({{-0.04, 0.01, 0}, {0.04, 0.01, 0}})});
+  EXPECT_EQ(refusal([&] { rebar::make_bar_scratch(sound.m, state::Overlay(model::block, {})); }),
+            "tet 0 holds a bar but no overlay slot");
+}
+
 // A rigid motion of the whole causes no force and holds no energy.
 TEST(BarForces, RigidMotionIsFree) {
   BarModel b(support::random_box_mesh(2, {4, 3, 3}), bars_across(1));
