@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Builds the documentation as a web site, with mkdocs, in BUILD/docs; a warning of mkdocs is an error.
+"""Builds the documentation as a web site, with mkdocs, in BUILD/docs; a warning of mkdocs is an error, and so is a page
+that asks for something outside the site.
 
     tools/docs_site.py [BUILD]
 
@@ -8,6 +9,7 @@ BUILD/docs-source with the folders as they are. Five books: tutorials, theory, r
 takes its title from its first heading and its place from its folder.
 """
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -67,6 +69,36 @@ def navigation(source):
     return nav
 
 
+def mend(site):
+    """The theme as Debian packs it names scripts by versions that it does not ship. Scripts that are there under another
+    version get the name asked for; those that are not there at all are not asked for."""
+    for page in site.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+
+        def script(tag, page=page):
+            target = page.parent / tag[1]
+            if "://" in tag[1] or target.exists():
+                return tag[0]
+            other = sorted(target.parent.glob(re.sub(r"-[\d.]+\.min", "-*.min", target.name)))
+            if not other:
+                return ""
+            shutil.copyfile(other[-1], target)
+            return tag[0]
+
+        page.write_text(re.sub(r'<script src="([^"]+)"[^>]*></script>', script, text), encoding="utf-8")
+
+
+def reaches_out(site):
+    """What pages ask for that is not in the site: scripts, styles and pictures, as page: address."""
+    for page in sorted(site.rglob("*.html")):
+        if page.name == "404.html":  # for servers: its addresses begin at their root
+            continue
+        for tag in re.findall(r"<(?:script|link|img)\b[^>]*>", page.read_text(encoding="utf-8")):
+            address = re.search(r'(?:src|href)="([^"]+)"', tag)
+            if address and 'rel="canonical"' not in tag and ("://" in address[1] or not (page.parent / address[1].split("?")[0]).exists()):
+                yield f"{page.relative_to(site)}: {address[1]}"
+
+
 def main():
     build = (Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build").resolve()
     if shutil.which("mkdocs") is None:
@@ -80,9 +112,12 @@ def main():
     config = build / "mkdocs.yml"
     config.write_text(settings, encoding="utf-8")
     done = subprocess.run(["mkdocs", "build", "--quiet", "--strict", "-f", str(config)], check=False)
-    if done.returncode == 0:
-        print(build / "docs/index.html")
-    return done.returncode
+    if done.returncode != 0:
+        return done.returncode
+    mend(build / "docs")
+    missing = list(reaches_out(build / "docs"))
+    print("\n".join(missing) or build / "docs/index.html")
+    return 1 if missing else 0
 
 
 if __name__ == "__main__":

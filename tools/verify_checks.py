@@ -55,7 +55,10 @@ slides at `2 c/(1 - tan phi)` = 55.9 MPa, so there the strength is that and not 
     "four_point": Case("4.2 Four-point beam to collapse", """The beam of 4.5 x 0.15 x 0.25 m (reconstructed) under two loads until it collapses, with the default Mohr-Coulomb joints; nothing is
 fitted to the test. Pace control drives the jacks at up to three times 0.1 m/s where little is in motion. Loads are those at the supports without the self-weight, as means over 10 ms (one millimetre of the jacks' way), since
 a crack's shock lasts about one millisecond. *Cracking* is the load at which a first joint is cracked through (all its three points past their strength);
-section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within the outer limits 6.4 - 15 % and 7.9 + 15 %. *First yield* is the first row with a yielded bar joint, *failure* the largest load before the load falls.""",
+section analysis says 6.4 kN, 7.9 kN without the self-weight, so 7.15 kN within the outer limits 6.4 - 15 % and 7.9 + 15 %. *First yield* is the first row with a yielded bar joint, *failure* the largest load before the load falls.
+The report of this run says "inertia matters": in a tenth of the readings up to the peak kinetic energy is above 5 % of the internal. These are no shocks of cracks but the start of the jacks, when the whole beam has got its speed
+(1.5 to 2.5 J) and is hardly bent; from 3 mm of deflection on until the collapse begins all are quiet. Jacks that begin at 20 mm/s and let the pace bring them to 0.3 m/s (five times the stage, `pace` 15, 1.3 times the
+steps) leave none, and the loads stay.""",
                        (31, 32, 33)),
     "four_point_unstructured": Case("4.2 on an unstructured mesh", """The same beam as a quarter with two planes of symmetry, tets of about 30 mm: here inclined cracks can form. The
 run ends after the bars have yielded.""", ("33_unstructured",)),
@@ -68,7 +71,10 @@ each. The coarse mesh has upright planes of joints at the notches alone; on the 
 joint, force as a mean over 1 ms; theory is A_s f_y, since the slip law jumps to hardening there. Theory for the mean strain then: 0.087 s(eps_y)/K_fc = 1.06e-3.""", (26, 27, 28)),
     "cyclic_column": Case("Column under cyclic drift", """A cantilever of 0.25 x 0.25 x 1.25 m with four bars of 16 mm under 250 kN and drifts of 0.5, 1 and twice 2 % (examples/09_cyclic_column); no
 test stands behind it. The axial load is the reaction at the base as a mean over 10 ms. Pulled steel has no sharp yield point when it is pressed afterwards (Bauschinger): it
-counts as yielding when its plastic strain has gone back by 0.2 % under compression.""", ("cyclic_column", "cyclic_column_steel")),
+counts as yielding when its plastic strain has gone back by 0.2 % under compression. *Stable* loops were taken to mean, before the first run and by nobody's standard, that the second cycle of 2 %
+reaches the shear of the first within 5 %: it misses that by half a per cent, and the miss is the model's, not the reading's: means over 1 to 20 ms at the turning points, at head or base, give 0.94 to 0.95, and so
+do runs with a damping changed by 1e-5 of itself (0.942 to 0.951). What is lost is lost once: the first way to a new drift opens cracks and slides the pressed toe, and the cycles after it find that done, so the third
+and fourth hold what the second had. With the energy that crushing takes in tests for `G_s` (55 kN/m instead of 10) the second reaches 0.955, the third 1.004 of the one before.""", ("cyclic_column", "cyclic_column_steel")),
     "l_panel": Case("Winkler's L-panel", """Plain concrete, 500 x 500 x 100 mm, lifted at the end of its arm (examples/11_l_panel), G_f = 65 N/m, the lower of the measured 65 to 90 N/m, chosen beforehand. Loads are means over 1 ms, 0.01 mm of the lift.
 The test itself is softer than elasticity with the measured E from its first points on (40 for 59 kN/mm), and its work up to 1 mm, 2.95 J, is
 more than the 1.6 to 2.3 J that 65 to 90 N/m need to part 250 x 100 mm: with these values a falling branch must lie below the test's.""", ("l_panel",)),
@@ -205,6 +211,14 @@ def four_point_checks():
                     lambda a, b, key=key: measure.four_point(b)[key] / measure.four_point(a)[key], ("four_point", "four_point_60"))
         yield Check(case, f"{text}, with pace control over without", 1, 0.03,
                     lambda a, b, key=key: measure.four_point(b)[key] / measure.four_point(a)[key], ("four_point_steady", "four_point"))
+    slow = ("four_point", "four_point_slow")
+    for key, text in (("yield", "first yield"), ("failure", "failure load")):
+        yield Check(case, f"{text}, jacks that begin at a fifth of the speed", 1, INFORMATION,
+                    lambda a, b, key=key: measure.four_point(b, 5 * measure.SHOCK)[key] / measure.four_point(a)[key], slow)
+    yield Check(case, "load at cracking, jacks that begin at a fifth of the speed", 1, INFORMATION,
+                lambda a, b: measure.four_point_cracking(b)["cracking"] / measure.four_point_cracking(a)["cracking"], ("four_point_start", "four_point_slow"))
+    for name, text in (("four_point", "up to the peak"), ("four_point_slow", "up to the peak, jacks that begin at a fifth of the speed")):
+        yield Check(case, f"readings with kinetic below 5 % of internal energy {text} [%]", float("nan"), INFORMATION, measure.quiet_before_peak, (name,))
     yield Check(case, "steps with pace control over steps without", float("nan"), INFORMATION,
                 lambda a, b: b.summary["steps"] / a.summary["steps"], ("four_point_steady", "four_point"))
     for key, text in (("first_damage", "load at the first damaged point of a joint [kN]"),
@@ -284,6 +298,12 @@ def cyclic_column_checks():
                 lambda r: float(measure.cyclic_column(r)["back"] >= 0.2), run)
     yield Check(case, "bars broken", 0, 0, lambda r: float(r.summary["bars_broken"]), run)
     yield Check(case, "shear of the second cycle of 2 % over the first", 1, 0.05, measure.column_stability, run)
+    for words, ago in (("third cycle of 2 % over the second", 1), ("fourth cycle of 2 % over the third", 0)):
+        yield Check(case, f"shear of the {words}", 1, INFORMATION, lambda r, ago=ago: measure.column_stability(r, ago), ("cyclic_column_more",))
+    yield Check(case, "second over first, base shear instead of the head's", 1, INFORMATION,
+                lambda r: measure.column_stability(r, force="base_shear"), run)
+    yield Check(case, "second over first, single readings instead of means over 10 ms", 1, INFORMATION,
+                lambda r: measure.column_stability(r, window=0), run)
     yield Check(case, "energy residual [%]", 0, 0.1, measure.residual, run)
     yield Check(case, "largest shear [kN]", float("nan"), INFORMATION, read("shear"), run)
     yield Check(case, "least plastic strain of a bar in compression [%]", float("nan"), INFORMATION, read("back"), run)

@@ -117,15 +117,24 @@ def four_point_cracking(run):
             "crack_at_bar": load_at("bar_joints_activated")}
 
 
-def four_point(run):
-    """Example 4.2 to collapse, from the start of `push`: loads [kN] and deflections [mm]."""
+def quiet_before_peak(run):
+    """Share of the readings up to the largest load in which kinetic energy is below 5 % of the internal [%], as the report counts them."""
+    kinetic = column(run, "energy_kinetic")
+    internal = sum(column(run, f"energy_{a}") for a in ("strain", "joints", "bars", "bar_joints", "contact"))
+    counted = np.flatnonzero(internal > 0.01 * internal.max())
+    counted = counted[counted <= np.argmax(np.convolve(column(run, "load"), np.ones(5) / 5, "same"))]
+    return 100 * np.mean(kinetic[counted] < 0.05 * internal[counted])
+
+
+def four_point(run, window=SHOCK):
+    """Example 4.2 to collapse, from the start of `push`: loads [kN] and deflections [mm]; loads are means over `window` of the loads' time."""
     time = clock(run)
     after = np.arange(len(time)) > push_begins(run)
     load, jack = column(run, "load") / 1e3, column(run, "jack") / 1e3
     steel, w = column(run, "steel_stress") / 1e6, 1e3 * column(run, "deflection")
-    mean, mean_jack = (running_mean(time, x, SHOCK) for x in (load, jack))
+    mean, mean_jack = (running_mean(time, x, window) for x in (load, jack))
     yielded = first(column(run, "bar_joints_yielded") > 0)
-    top = int(np.argmax(np.where(after & (time < time[-1] - SHOCK / 2), mean, 0)))
+    top = int(np.argmax(np.where(after & (time < time[-1] - window / 2), mean, 0)))
     return {"yield": mean[yielded], "yield_deflection": w[yielded], "failure": mean[top], "failure_deflection": w[top],
             "failure_jack": mean_jack[top], "peak_reading": load[after].max(), "steel_at_failure": steel[top],
             "yields_first": float(yielded < top)}
@@ -252,10 +261,12 @@ def tie_at_rest(run, share=0.1):
 COLUMN_AXIAL, COLUMN_YIELD, COLUMN_E_S = 250e3, 420e6, 200e9
 
 
-def column_cycles(run):
-    """Extreme shear [kN] and drift [mm] of each half cycle, means over 10 ms at the turning points."""
+def column_cycles(run, force="shear", window=SHOCK):
+    """Drift [mm] and shear [kN] of each half cycle at its turning point; means over `window` seconds, 0: single readings."""
     time, drift = column(run, "time"), 1e3 * column(run, "drift")
-    shear = running_mean(time, column(run, "shear") / 1e3, SHOCK)
+    shear = column(run, force) / 1e3
+    if window:
+        shear = running_mean(time, shear, window)
     signs = np.sign(np.where(np.abs(drift) > 0.5, drift, 0))
     halves, current = [], 0
     for i, s in enumerate(signs):
@@ -275,10 +286,11 @@ def plastic_under_compression(run, side):
     return -plastic[(stress[1:] < 0) & (plastic < 0)].sum()
 
 
-def column_stability(run):
-    """Mean shear at the turning points of the last cycle over that of the cycle before, both to the same drift."""
-    shear = [abs(s) for _, s in column_cycles(run)[-4:]]
-    return sum(shear[2:]) / sum(shear[:2])
+def column_stability(run, ago=0, **reading):
+    """Mean shear at the turning points of the last cycle over that of the cycle before, both to the same drift; `ago` cycles earlier."""
+    shear = [abs(s) for _, s in column_cycles(run, **reading)]
+    end = len(shear) - 2 * ago
+    return sum(shear[end - 2:end]) / sum(shear[end - 4:end - 2])
 
 
 def cyclic_column(run):

@@ -33,6 +33,14 @@ def shown(text):
     return "" if text in ("nan", "inf") else text
 
 
+def rounded(text):
+    """A computed value to four digits: the CSV has more, and means no more."""
+    if text in ("nan", "inf"):
+        return ""
+    value = float(text)
+    return "0" if value == 0 else f"{value:.4g}" if 1e-4 <= abs(value) < 1e5 else f"{value:.1e}".replace("e-0", "e-")
+
+
 def older_rows(path, checks):
     """What the page at `path` holds for these checks, judged by their references and tolerances of today: {check: row}."""
     values, title = {}, ""
@@ -70,11 +78,11 @@ def write_page(path, rows, checks, older=(), adopted=()):
             continue
         all_older = all(c in older for _, c in of_case)
         lines += [f"## {case.title}", "", case.about, *(["", EARLIER] if all_older else []), "", "| quantity | paper | reference | computed | tolerance | within |",
-                  "|---|---|---|---|---|---|"]
+                  "|---|---|---:|---:|---:|---|"]
         for row, check in of_case:
             mark = OLDER if check in older and not all_older else ""
             within = "" if row[4] == "inf" else "yes" if row[5] == "true" else "**no**"
-            lines.append(f"| {row[1]} | {check.paper} | {shown(row[2])} | {shown(row[3])}{mark} | {shown(row[4])} | {within} |")
+            lines.append(f"| {row[1]} | {check.paper} | {shown(row[2])} | {rounded(row[3])}{mark} | {shown(row[4])} | {within} |")
         lines.append("")
         for number in case.figures:
             if (Path(path).parent / "figures" / figure_file(number)).exists():

@@ -89,6 +89,9 @@ def beam_runs():
     four = "06_four_point_beam/case.toml"
     yield "four_point", Spec(four, cost=180, long=True)
     yield "four_point_steady", Spec(four, ("run.pace=1",), cost=280, long=True)
+    # Jacks that begin at a fifth of the speed: the ways of the deck's, in five times the time.
+    yield "four_point_slow", Spec(four, ('motion.0.velocity.value="-20 mm/s"', 'motion.1.velocity.value="-20 mm/s"', 'stage.1.duration="2100 ms"',
+                                         "run.pace=15"), cost=240, long=True)
     yield "four_point_start", Spec(four, until=0.12, cost=70, long=True)  # up to 15 kN, before anything is chaotic
     yield "four_point_60", Spec(four, ("concrete.0.penalty=60",), cost=300, long=True)
     yield "four_point_unstructured", Spec("06_four_point_beam/unstructured.toml", cost=1500, long=True)
@@ -99,7 +102,11 @@ def cyclic_runs():
     for mesh, name, cost in (("coarse", "case", 15), ("fine", "fine", 450)):
         yield f"cyclic_tie_{mesh}", Spec(deck.format(name), cost=cost, long=cost > 60)
         yield f"cyclic_tie_{mesh}_mp", Spec(deck.format(name), ("steel.0.law=menegotto_pinto",), cost=cost, long=cost > 60)
-    yield "cyclic_column", Spec("09_cyclic_column/case.toml", cost=400, long=True)
+    column = "09_cyclic_column/case.toml"
+    yield "cyclic_column", Spec(column, cost=200, long=True)
+    # Two more cycles of 2 %: whether the loops settle.
+    yield "cyclic_column_more", Spec(column, ('motion.0.displacement.cycles=["6.25 mm","12.5 mm","25 mm","25 mm","25 mm","25 mm"]',
+                                              'stage.1.duration="1.51 s"', "output.history_points=4500"), cost=300, long=True)
 
 
 def plain_runs():
