@@ -104,9 +104,11 @@ validate: build python properties
 	  --page docs/verification/index.md
 	PYTHONPATH=$(BUILD)/python $(PYTHON) tools/validate_python.py --program $(PROGRAM) --runs $(BUILD)/verify
 
-# The paper's figures: those of the short runs, and of long ones that are there already.
+# The paper's figures: those of the short runs, and of long ones that are there already; and those of the material laws.
 figures: build
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS)
+	cmake --build $(BUILD) --target law_curves
+	$(PYTHON) tools/law_figures.py $(BUILD)/law_curves
 
 # Every run folder under runs/ that holds fields gets its crack picture.
 pictures: build

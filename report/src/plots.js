@@ -85,7 +85,8 @@ function linePlugin(lines) {
           context.lineTo(u.bbox.left + u.bbox.width, y);
           context.stroke();
           context.textAlign = "right";
-          context.fillText(l.text, u.bbox.left + u.bbox.width - 4 * ratio, y - 4 * ratio);
+          context.textBaseline = "bottom";
+          context.fillText(l.text, u.bbox.left + u.bbox.width - 4 * ratio, y - 2 * ratio);
         }
         context.restore();
       },
