@@ -141,16 +141,16 @@ fuzz: setup-fuzz
 	  build-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -max_len=65536 -rss_limit_mb=4096 \
 	  -print_final_stats=1 -artifact_prefix=build-fuzz/$$reader- build-fuzz/corpus/$$reader tests/fuzz/corpus/$$reader; done
 
-# Address and undefined-behaviour sanitizers on the unit tests, the laws and short runs; then the thread sanitizer on the
-# tests that use threads and the same runs with four. Builds two trees: half an hour on two cores. No report is suppressed but
-# one leak of udunits (tests/fuzz/deck_fuzz.cpp).
-SANITIZED_TESTS := ^(unit|laws|faults|regression)\.
+# Address and undefined-behaviour sanitizers on the unit tests, the laws, faults and short runs, in the tree of `make fuzz`; then the
+# thread sanitizer on the tests that use threads and the same runs with four. Ends at the first report; none is suppressed but one
+# leak of udunits (tests/fuzz/deck_fuzz.cpp).
 THREADED_TESTS  := Chunks|Sums|Threads|any_number_of_threads|AnyNumberOfThreads|Collision|RigidContact
-sanitize: setup-tests
-	cmake --preset asan
-	cmake --build build-asan -j $(JOBS) --target fissura tests_unit tests_laws tests_faults tests_regression
-	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp ctest --test-dir build-asan -R '$(SANITIZED_TESTS)' --output-on-failure -j 2
-	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp tools/sanitized_runs.sh build-asan/fissura 2
+sanitize: setup-fuzz
+	cmake --preset fuzz
+	cmake --build build-fuzz -j $(JOBS) --target fissura tests_unit tests_laws tests_faults tests_regression
+	find build-fuzz/tests -maxdepth 1 -type f -executable | grep -E '/(unit|laws|faults|regression)_[a-z]*$$' | \
+	  LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp xargs -P $(JOBS) -I PROGRAM PROGRAM --gtest_brief=1
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp tools/sanitized_runs.sh build-fuzz/fissura 2
 	cmake --preset tsan
 	cmake --build build-tsan -j $(JOBS) --target fissura unit_parallel unit_contact unit_rebar regression_sim verification_sim
 	ctest --test-dir build-tsan -R '$(THREADED_TESTS)' --output-on-failure
@@ -160,9 +160,7 @@ sanitize: setup-tests
 coverage: setup-coverage
 	cmake --preset coverage
 	cmake --build build-coverage -j $(JOBS)
-	rm -rf build-coverage/raw
-	LLVM_PROFILE_FILE=$(CURDIR)/build-coverage/raw/%4m.profraw ctest --test-dir build-coverage -j 2 || echo "some tests fail: see above"
-	$(PYTHON) tools/coverage.py build-coverage --html
+	$(PYTHON) tools/coverage.py build-coverage --run --jobs $(JOBS) --html
 
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

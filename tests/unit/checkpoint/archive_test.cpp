@@ -93,6 +93,39 @@ TEST(Archive, refuses_what_is_too_short_or_too_long) {
   EXPECT_THROW(load.finish(), core::InputError);
 }
 
+/// What is said about bytes that should be a T.
+template <class T> std::string refusal(std::string const& bytes, T x) {
+  try {
+    Loader load(bytes, "file");
+    load(x);
+    load.finish();
+  } catch (core::InputError const& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+// Requirement: whatever does not fit is refused with the reason.
+TEST(Archive, says_why) {
+  Bytes number, list;
+  Saver{number}(std::uint64_t{1} << 40U);
+  Saver{list}(std::vector<double>{1, 2});
+  std::string const why = "file: error: this checkpoint cannot be used: ";
+  EXPECT_EQ(refusal("1234", 0.0), why + "it ends too early");
+  EXPECT_EQ(refusal(number.text + "x", std::uint64_t{0}), why + "1 bytes are left over");
+  EXPECT_EQ(refusal(number.text, std::string()), why + "it ends within a list");
+  EXPECT_EQ(refusal(list.text, std::vector<double>{1, 2}), "accepted");
+  EXPECT_EQ(refusal(list.text, std::vector<double>{1, 2, 3}), why + "a list of 2 items should have 3");
+  EXPECT_EQ(refusal("\2", false), why + "a yes or no is neither");
+
+  Bytes pairs, rows;
+  Saver{pairs}(std::uint64_t{30}, std::string(40, 'x')); // fewer bytes than so many pairs take
+  EXPECT_EQ(refusal(pairs.text, std::vector<state::ContactPair>()), why + "it ends within a list");
+  Saver{rows}(std::uint64_t{4}, std::uint64_t{1},
+              std::uint64_t{4}); // of 4 rows one is not zero, the one with index 4
+  EXPECT_EQ(refusal(rows.text, core::Buffer<state::HistoryRows>(4)), why + "an index is out of its range");
+}
+
 // Requirement: bytes at random never do more than be refused.
 TEST(Archive, survives_bytes_at_random) {
   std::mt19937 random(7);

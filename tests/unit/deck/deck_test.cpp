@@ -619,6 +619,14 @@ TEST_F(DeckFiles, LargeDeck) {
                  "large.toml: error: the deck is larger than 16 MiB");
 }
 
+// A deck with more values than anybody writes is refused before there is room for them.
+TEST(Deck, TooManyValues) {
+  std::string text = std::string(small) + "\n[x]\na = [1";
+  for (int i = 0; i < 70000; ++i) text += ",1";
+  expect_refused([&] { read_case_text(text + "]\n", "s.toml"); },
+                 "more than 65536 values; long tables belong in a record file");
+}
+
 // A key may be quoted, but holds no control characters and is no book.
 TEST(Deck, UnreadableKeys) {
   for (std::string const& key : std::vector<std::string>{"\"a\\u0007b\"", std::string(300, 'k')}) {

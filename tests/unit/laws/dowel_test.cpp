@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "fissura/core/error.hpp"
-
 namespace {
 using namespace fissura::laws;
 
@@ -64,16 +62,4 @@ TEST(Dowel, SeveralBarsInOne) {
   EXPECT_NEAR(dowel_force(four, g, 1e-4, 2e-4), 4 * dowel_force(one, h, 1e-4, 2e-4), 1e-6);
   EXPECT_NEAR(g.strength, h.strength, 1e-15);
 }
-// A dowel without a diameter, a section, a stiffness or a strength is refused by name.
-TEST(Dowel, ParametersOutsideTheirRange) {
-  DowelInput const sound{0.016, 2e-4, 2e11, 5e8, 3e7};
-  EXPECT_NO_THROW(make_dowel_params(sound));
-  for (auto const member :
-       {&DowelInput::D, &DowelInput::A_s, &DowelInput::E_s, &DowelInput::f_y, &DowelInput::f_c}) {
-    DowelInput faulty = sound;
-    faulty.*member = 0;
-    EXPECT_THROW(make_dowel_params(faulty), fissura::core::Error);
-  }
-}
-
 } // namespace
