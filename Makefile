@@ -103,6 +103,7 @@ validate: build python properties
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/validation.csv --jobs $(JOBS) --long \
 	  --page docs/verification/index.md
 	PYTHONPATH=$(BUILD)/python $(PYTHON) tools/validate_python.py --program $(PROGRAM) --runs $(BUILD)/verify
+	$(PYTHON) tools/check_commands.py $(PROGRAM) --decks
 
 # The paper's figures: those of the short runs, and of long ones that are there already; and those of the material laws.
 figures: build

@@ -5,10 +5,12 @@ Looked at are the lines of ```sh blocks, lines after `$ ` and code in the runnin
 `tools/`: the subcommand and its options exist, an option with a fixed choice gets one of it, templates exist, decks under
 examples/ are there, columns that `plot` draws are gauges of the deck that was run into that folder, targets of `make` and options
 of tools are in their source. And the other way round: the page of the command line names every option of the program.
-Prints what is untrue as file:line and exits with 1.
+Prints what is untrue as file:line and exits with 1. With --decks `fissura check` also reads every deck under examples/ that a page
+runs, with the changes that stand there: half a minute.
 
-    tools/check_commands.py build/fissura [ROOT]
+    tools/check_commands.py build/fissura [ROOT] [--decks]
 """
+import argparse
 import re
 import shlex
 import subprocess
@@ -78,8 +80,9 @@ def words_of(command):
 
 
 class Checker:
-    def __init__(self, program, root):
+    def __init__(self, program, root, decks=False):
         self.help = Help(program)
+        self.reads_decks = decks
         self.root = root
         self.targets = set(re.findall(r"^([a-z-]+):", (root / "Makefile").read_text(encoding="utf-8"), re.M))
         self.decks = {}  # run folder -> deck that was run into it, on the present page
@@ -150,8 +153,15 @@ class Checker:
                 yield f"{place} does not exist"
         if sub == "run" and places and "--out" in dict(options):
             self.decks[dict(options)["--out"]] = self.root / places[0]
+        if self.reads_decks and sub in ("run", "check") and places and (self.root / places[0]).is_relative_to(self.root / "examples"):
+            yield from self.deck(places[0], [word for o, v in options if o == "--set" for word in (o, v)])
         if sub == "plot" and places:
             yield from self.columns(places[0], [v for o, v in options if o in ("--x", "--y")])
+
+    def deck(self, place, changes):
+        done = subprocess.run([self.help.program, "check", place, *changes], cwd=self.root, capture_output=True, text=True)
+        if done.returncode:
+            yield (done.stderr or done.stdout).strip().splitlines()[0]
 
     def columns(self, folder, names):
         deck = self.decks.get(folder)
@@ -182,8 +192,13 @@ def untrue(checker, root):
 
 
 def main():
-    root = Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).resolve().parent.parent
-    checker = Checker(sys.argv[1], root)
+    parser = argparse.ArgumentParser(description="Checks every command printed in the Markdown files.")
+    parser.add_argument("program")
+    parser.add_argument("root", nargs="?", default=str(Path(__file__).resolve().parent.parent))
+    parser.add_argument("--decks", action="store_true", help="also read the decks that pages run, with the changes that stand there")
+    arguments = parser.parse_args()
+    root = Path(arguments.root)
+    checker = Checker(str(Path(arguments.program).resolve()), root, arguments.decks)
     found = list(untrue(checker, root))
     print("\n".join(found) if found else f"{checker.seen} commands on the pages, all of which the program, make and the tools know")
     sys.exit(1 if found else 0)

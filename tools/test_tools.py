@@ -302,6 +302,7 @@ case "$1" in
   run) printf '  -h,--help   Help\\n  --out TEXT  Folder\\n  --force  Overwrite\\n';;
   plot) printf '  --y TEXT ... REQUIRED  Column\\n  --field TEXT:{opening,damage}\\n     Colour\\n  -o,--out TEXT  File\\n';;
   new) printf '  template TEXT REQUIRED  One of: beam, tie\\n\\nOptions:\\n  -h,--help  Help\\n';;
+  check) echo "$2:1:1: error: $4" >&2; exit 2;;
   *) printf '  --version  Version\\n\\nSubcommands:\\n  run   Run\\n  plot  Draw\\n  new   Write\\n';;
 esac
 """
@@ -335,6 +336,14 @@ esac
             self.assertEqual(self.untrue(f"Type `{command}`.\n"), [f"{command}: {what}"])
         self.assertEqual(self.untrue("```sh\nfissura run examples/a/case.toml --out r\nfissura plot r --y lod\n```\n"),
                          ["fissura plot r --y lod: a has no gauge lod"])
+
+    def test_decks_are_read_with_the_changes_that_stand_there(self):
+        """Requirement: with --decks a deck that `fissura check` refuses with the changes of the page is named."""
+        self.untrue("")
+        checker = check_commands.Checker(str(self.folder / "fissura"), self.folder, decks=True)
+        checker.help.options["run"]["--set"] = set()
+        self.assertEqual(list(checker.page("Type `fissura run examples/a/case.toml --set x=1`.")),
+                         [(1, "fissura run examples/a/case.toml --set x=1: examples/a/case.toml:1:1: error: x=1")])
 
     def test_the_page_names_every_option(self):
         """Requirement: an option of the program that the page of the command line leaves out is named."""

@@ -39,7 +39,7 @@ void ReportWriter::meanwhile(double elapsed, Log& log) {
 void ReportWriter::at_end(Log& log) {
   if (!wanted_) return;
   if (report::page_template().empty())
-    log.info("no report page: this program was built without npm (see `fissura report`)");
+    log.info("no report page: none is built into this program; `fissura report` says what is missing");
   else if (write(log))
     log.info("report: {}/report.html", folder_);
 }
