@@ -5,7 +5,7 @@
 
 A message is a statement that throws, or calls one of the functions that report what is wrong (refuse, fail, reader.error ...). Its
 own counter is looked at, not that of its line: `if (bad) throw` runs its line without throwing. Prints their place and text, and
-their number. Exits with 1 only if the counters cannot be read.
+their number. Exits with 1 if there are any, or if the counters cannot be read.
 """
 import json
 import re
@@ -46,7 +46,7 @@ def counter_at(segments, place):
 
 
 def report(files):
-    """Lines of text: every message without a test, then their number."""
+    """Lines of text: every message without a test, then their number; and whether there is none."""
     total, silent = 0, []
     for file in files:
         path = Path(file["filename"])
@@ -58,7 +58,7 @@ def report(files):
             if count == 0:
                 silent.append((str(path.relative_to(ROOT)), place[0], whole))
     text = [f"{name}:{number}: {whole[:150]}" for name, number, whole in sorted(silent)]
-    return text + [f"{total - len(silent)} of {total} error messages are provoked by a test, {len(silent)} are not"]
+    return text + [f"{total - len(silent)} of {total} error messages are provoked by a test, {len(silent)} are not"], not silent
 
 
 def main():
@@ -66,7 +66,9 @@ def main():
         files = json.loads(Path(sys.argv[1]).read_text())["data"][0]["files"]
     except (OSError, ValueError, KeyError, IndexError) as error:
         sys.exit(f"cannot read the counts: {error!r}")
-    print("\n".join(report(files)))
+    text, good = report(files)
+    print("\n".join(text))
+    sys.exit(not good)
 
 
 if __name__ == "__main__":
