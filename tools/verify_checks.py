@@ -120,6 +120,8 @@ def prism_checks():
         yield Check(case, f"error/(1 - error), 20 E over {p} E, mesh B: as 1/p", p / 20, 0.02 * p / 20,
                     lambda a, b: scaled(a) / scaled(b), ("prism_B_20", f"prism_B_{p}"))
     yield Check(case, "closed form with h = cell edge, p = 20 E, mesh B [%]", 10.77, 0.7, measure.prism_error, ("prism_B_20_edge",))
+    yield Check(case, "error of mesh A at rest by the paper's viscosity alone (Figure 17) over that by drag", 1, INFORMATION,
+                lambda a, b: measure.deflection_error(b) / measure.deflection_error(a), ("self_weight_A", "self_weight_A_viscous"))
     yield Check(case, "largest energy residual [%]", 0, 0.001, lambda *runs: max(measure.residual(r) for r in runs),
                 tuple(f"prism_{m}_{p}" for m in "AB" for p in PENALTIES))
 
