@@ -118,6 +118,14 @@ class Cache(Folder):
         with self.assertRaises(verify_runs.RunFailed):
             runs.get("prism_A")
 
+    def test_a_run_that_somebody_stopped_is_not_kept(self):
+        self.program.write_text(self.program.read_text().replace('"complete"', '"stopped"'))
+        runs = self.runs()
+        runs.make(["prism_A"])
+        self.assertFalse(runs.is_cached("prism_A"))
+        with self.assertRaisesRegex(verify_runs.RunFailed, "prism_A: the run is stopped"):
+            runs.get("prism_A")
+
     def test_a_finished_run_of_the_same_deck_is_adopted_and_no_other(self):
         self.runs().make(["prism_A", "prism_B"])
         runs = self.runs()

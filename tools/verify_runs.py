@@ -220,7 +220,15 @@ class Runs:
         if done.returncode != 0:
             self.failed[name] = f"{name}: exit code {done.returncode}: {done.stderr.strip()}"
             return
+        if status := self.cut_short(name, folder):
+            self.failed[name] = f"{name}: the run is {status}"
+            return
         (folder / "made_from").write_text(key, encoding="utf-8")
+
+    def cut_short(self, name, folder):
+        """The status of a run that somebody has stopped before its end; nothing for one that came there."""
+        status = json.loads((Path(folder) / "run.json").read_text(encoding="utf-8"))["status"]
+        return "" if status == ("stopped" if self.specs[name].until else "complete") else status
 
     def echo(self, command, out):
         """The deck with every default, as this program reads it."""
@@ -237,8 +245,7 @@ class Runs:
             given = self.echo([str(self.program), "run", str(Path(source) / "case.toml"), "--quiet", "--no-report"], Path(scratch) / "given")
             if wanted != given:
                 raise RunFailed(f"{source}: made from another deck than {name}")
-        status = json.loads((Path(source) / "run.json").read_text(encoding="utf-8"))["status"]
-        if status != ("stopped" if self.specs[name].until else "complete"):
+        if status := self.cut_short(name, source):
             raise RunFailed(f"{source}: the run is {status}")
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(source, folder)
