@@ -143,8 +143,8 @@ fuzz: setup-fuzz
 	  -print_final_stats=1 -artifact_prefix=build-fuzz/$$reader- build-fuzz/corpus/$$reader tests/fuzz/corpus/$$reader; done
 
 # Address and undefined-behaviour sanitizers on the unit tests, the laws, faults and short runs, in the tree of `make fuzz`; then the
-# thread sanitizer on the tests that use threads and the same runs with four. Ends at the first report; none is suppressed but one
-# leak of udunits (tests/fuzz/deck_fuzz.cpp).
+# thread sanitizer on the tests that use threads and the same runs with four. Ends at the first report; none is suppressed but
+# leaks of udunits and gmsh (tools/leaks.supp).
 THREADED_TESTS  := Chunks|Sums|Threads|any_number_of_threads|AnyNumberOfThreads|Collision|RigidContact
 sanitize: setup-fuzz
 	cmake --preset fuzz

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <numbers>
 
 #include "fissura/mesh/box.hpp"
@@ -86,7 +86,7 @@ TEST(Quality, reports_open_interfaces) {
 
 // Requirement: a mesh of a million tets is made, checked, renumbered and measured within seconds.
 TEST(Quality, a_million_tets_take_seconds) {
-  auto const start = std::chrono::steady_clock::now();
+  std::clock_t const start = std::clock(); // of the processor: others may want it too
   BoxCells b;
   b.to = {1, 1, 1}, b.cells = {55, 55, 55};
   Mesh m = make_boxes({&b, 1});
@@ -96,7 +96,7 @@ TEST(Quality, a_million_tets_take_seconds) {
   Quality const q = measure_quality(m, adjacency);
   EXPECT_EQ(q.tets, 998250);
   EXPECT_EQ(adjacency.boundary.size(), 12u * 55 * 55);
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 30);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 30);
 }
 
 } // namespace
