@@ -36,10 +36,10 @@ template <class T> py::array on(T const* data, Shape shape, Shape strides, py::h
   return a;
 }
 
-/// [tet][corner][x, y, z] of a nodal array whose fourth number is padding.
-py::array nodal(Model const& m, core::Buffer<double> const& values, py::handle owner) {
+/// [tet][corner][x, y, z]
+py::array nodal(Model const& m, core::NodeField const& values, py::handle owner) {
   constexpr py::ssize_t d = sizeof(double);
-  return on(values.data(), {m.tets.count, 4, 3}, {16 * d, 4 * d, d}, owner);
+  return on(values.data(), {m.tets.count, 4, 3}, {12 * d, 3 * d, d}, owner);
 }
 
 py::array per_item(std::vector<double> const& values, py::handle owner) {
@@ -87,11 +87,10 @@ template <class T> py::array filled(std::vector<T> const& values, Shape shape) {
   return py::array_t<T>(std::move(shape), values.data());
 }
 
-py::array nodal_copy(Model const& m, core::Buffer<double> const& from) {
+py::array nodal_copy(Model const& m, core::NodeField const& from) {
   std::vector<double> values;
   for (int const t : input_order(m))
-    for (std::size_t k = 0; k < 16; ++k)
-      if (k % 4 != 3) values.push_back(from[16 * static_cast<std::size_t>(t) + k]);
+    for (int k = 0; k < core::per_tet; ++k) values.push_back(from.of_tet(static_cast<std::size_t>(t))[k]);
   return filled(values, {m.tets.count, 4, 3});
 }
 

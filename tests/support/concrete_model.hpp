@@ -66,17 +66,16 @@ inline int node_count(model::Model const& m) {
 }
 
 inline Vec3 position(model::Model const& m, int node) {
-  return {m.position[4 * node], m.position[4 * node + 1], m.position[4 * node + 2]};
+  return m.position.at(node);
 }
-inline Vec3 at_node(core::Buffer<double> const& field, int node) {
-  return {field[4 * node], field[4 * node + 1], field[4 * node + 2]};
+inline Vec3 at_node(core::NodeField const& field, int node) {
+  return field.at(node);
 }
-inline void set_node(core::Buffer<double>& field, int node, Vec3 value) {
-  for (int r = 0; r < 3; ++r) field[4 * node + r] = value[r];
+inline void set_node(core::NodeField& field, int node, Vec3 value) {
+  for (int r = 0; r < 3; ++r) field(node, r) = value[r];
 }
 /// field(node) = value(X) at the reference position X, for all nodes of all tets.
-inline void set_field(model::Model const& m, core::Buffer<double>& field,
-                      std::function<Vec3(Vec3)> const& value) {
+inline void set_field(model::Model const& m, core::NodeField& field, std::function<Vec3(Vec3)> const& value) {
   for (int n = 0; n < node_count(m); ++n) set_node(field, n, value(position(m, n)));
 }
 
@@ -92,8 +91,8 @@ inline Mat3 rotation_minus_identity(Vec3 axis, double angle) {
 /// A state at rest that holds no bars: enough for the functions of `concrete`.
 inline state::State concrete_state(model::Model const& m) {
   state::State s;
-  s.u = core::Buffer<double>(4 * node_slots(m));
-  s.v = core::Buffer<double>(4 * node_slots(m));
+  s.u = core::NodeField(node_slots(m));
+  s.v = core::NodeField(node_slots(m));
   s.joint_status = core::Buffer<std::uint8_t>(m.joints.blocks() * model::block);
   s.joint_history = state::JointHistories(m.joints.blocks() * model::block);
   s.stage_start.assign(m.stages.size(), 0);
@@ -102,7 +101,7 @@ inline state::State concrete_state(model::Model const& m) {
 inline state::Scratch concrete_scratch(model::Model const& m) {
   state::Scratch w;
   w.joints = concrete::make_joint_slots(m, concrete_state(m));
-  if (m.bonding.any) w.corner_force = core::Buffer<double>(4 * node_slots(m));
+  if (m.bonding.any) w.corner_force = core::NodeField(node_slots(m));
   w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
   w.tet_sums.resize(4 * m.tets.blocks() + 1);
   return w;

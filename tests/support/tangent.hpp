@@ -16,7 +16,7 @@ class Tangent {
  public:
   explicit Tangent(model::Model const& m, bool bars_activated)
       : m_(m), s_(step::make_state(m)), w_(step::make_scratch(m, s_)),
-        size_(static_cast<std::size_t>(4 * node_count(m))) {
+        size_(static_cast<std::size_t>(3 * node_count(m))) {
     if (bars_activated) activate_bars(m, s_);
   }
 
@@ -40,7 +40,7 @@ class Tangent {
     std::vector<double> diagonal, beside, previous(size_, 0), now(size_), product(size_);
     Random random(7);
     for (double& x : now) x = random.uniform(-1, 1);
-    constrain(now);
+    average_over_clusters(now);
     scale(now, 1 / std::sqrt(dot(now, now)));
     double beta = 0, last = 0;
     for (int i = 0; i < 300; ++i) {
@@ -77,26 +77,21 @@ class Tangent {
     return m_.tets.inverse_mass[model::at(node / 4, node % 4, 4)];
   }
 
-  /// Projects on vectors that mean something: nothing in the padding, one value for bonded copies.
-  void constrain(std::vector<double>& x) const {
-    for (std::size_t n = 0; 4 * n < size_; ++n) x[4 * n + 3] = 0;
-    average_over_clusters(x);
-  }
   void average_over_clusters(std::vector<double>& x) const {
     if (!m_.bonding.any) return;
     for (std::size_t c = 0; c + 1 < m_.bonding.start.size(); ++c) {
       int const from = m_.bonding.start[c], to = m_.bonding.start[c + 1];
       for (int r = 0; r < 3; ++r) {
         double mean = 0;
-        for (int i = from; i < to; ++i) mean += x[4 * m_.bonding.node[i] + r] / (to - from);
-        for (int i = from; i < to; ++i) x[4 * m_.bonding.node[i] + r] = mean;
+        for (int i = from; i < to; ++i) mean += x[3 * m_.bonding.node[i] + r] / (to - from);
+        for (int i = from; i < to; ++i) x[3 * m_.bonding.node[i] + r] = mean;
       }
     }
   }
   int copies(std::size_t node) const {
     if (!m_.bonding.any) return 1;
     if (copies_.empty()) {
-      copies_.assign(size_ / 4, 1);
+      copies_.assign(size_ / 3, 1);
       for (std::size_t c = 0; c + 1 < m_.bonding.start.size(); ++c)
         for (int i = m_.bonding.start[c]; i < m_.bonding.start[c + 1]; ++i)
           copies_[m_.bonding.node[i]] = m_.bonding.start[c + 1] - m_.bonding.start[c];
@@ -111,18 +106,18 @@ class Tangent {
   /// y = M^-1/2 (k K + c C) M^-1/2 x on the space in which bonded copies move alike; k > 0.
   void apply(std::vector<double> const& x, double k, double c, std::vector<double>& y) {
     double largest_u = 0;
-    for (std::size_t n = 0; 4 * n < size_; ++n) {
+    for (std::size_t n = 0; 3 * n < size_; ++n) {
       double const f = per_unknown(n);
-      for (std::size_t r = 0; r < 3; ++r) largest_u = std::max(largest_u, std::abs(f * x[4 * n + r]));
+      for (std::size_t r = 0; r < 3; ++r) largest_u = std::max(largest_u, std::abs(f * x[3 * n + r]));
     }
     double const step =
         1e-7 / largest_u; // [m]: strains far below any nonlinearity, forces far above rounding
     std::fill(y.begin(), y.end(), 0.0);
     for (double const sign : {1.0, -1.0}) {
       forces(x, sign * step, c / k);
-      for (std::size_t n = 0; 4 * n < size_; ++n) {
+      for (std::size_t n = 0; 3 * n < size_; ++n) {
         double const f = per_unknown(n);
-        for (std::size_t r = 0; r < 3; ++r) y[4 * n + r] -= sign * 0.5 * k / step * f * force_[4 * n + r];
+        for (std::size_t r = 0; r < 3; ++r) y[3 * n + r] -= sign * 0.5 * k / step * f * force_(n, r);
       }
     }
     average_over_clusters(y);
@@ -130,11 +125,11 @@ class Tangent {
 
   /// Corner forces at the motion u of size `step` along x and at v = c_over_k u.
   void forces(std::vector<double> const& x, double step, double c_over_k) {
-    for (std::size_t n = 0; 4 * n < size_; ++n) {
+    for (std::size_t n = 0; 3 * n < size_; ++n) {
       double const f = per_unknown(n);
       for (std::size_t r = 0; r < 3; ++r) {
-        s_.u[4 * n + r] = f * step * x[4 * n + r];
-        s_.v[4 * n + r] = c_over_k * s_.u[4 * n + r];
+        s_.u(n, r) = f * step * x[3 * n + r];
+        s_.v(n, r) = c_over_k * s_.u(n, r);
       }
     }
     concrete::joint_forces(m_, s_, w_);
@@ -171,7 +166,7 @@ class Tangent {
   state::State s_;
   state::Scratch w_;
   std::size_t size_;
-  core::Buffer<double> force_;
+  core::NodeField force_;
   mutable std::vector<int> copies_;
 };
 

@@ -44,10 +44,9 @@ inline Motion motion_of(Stepper const& t, int group = -1) {
   for (int tet = 0; tet < t.m.tet_count(); ++tet) {
     if (group >= 0 && t.m.mesh.tet_group[tet] != group) continue;
     for (int c = 0; c < 4; ++c) {
-      std::size_t const node = 4 * static_cast<std::size_t>(model::node_of(tet, c));
-      Vec3 x, v;
-      for (int r = 0; r < 3; ++r) x[r] = t.m.position[node + r] + t.s.u[node + r], v[r] = t.s.v[node + r];
-      double const mass = t.m.mass[node / 4];
+      int const node = model::node_of(tet, c);
+      Vec3 const x = t.m.position.at(node) + t.s.u.at(node), v = t.s.v.at(node);
+      double const mass = t.m.mass[node];
       sum.momentum += mass * v;
       sum.spin += mass * cross(x, v);
       sum.kinetic += 0.5 * mass * dot(v, v);
@@ -60,7 +59,7 @@ inline void set_velocity(Stepper& t, int group, Vec3 v) {
   for (int tet = 0; tet < t.m.tet_count(); ++tet) {
     if (t.m.mesh.tet_group[tet] != group) continue;
     for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 3; ++r) t.s.v[4 * static_cast<std::size_t>(model::node_of(tet, c)) + r] = v[r];
+      for (int r = 0; r < 3; ++r) t.s.v(model::node_of(tet, c), r) = v[r];
   }
 }
 

@@ -34,6 +34,7 @@ template <> inline constexpr bool grows<state::ContactPair> = true;
 template <> inline constexpr bool grows<state::RigidTouch> = true;
 
 FISSURA_FIELDS(Vec3, x, y, z)
+FISSURA_FIELDS(core::NodeField, values)
 
 FISSURA_FIELDS(laws::CohesiveHistory, kappa, z, f_s, slip_1, slip_2)
 FISSURA_FIELDS(laws::Separation, opening, sliding_1, sliding_2)

@@ -78,8 +78,8 @@ template <class V> struct BatchPack {
   JointFrame<V> frame() const {
     Vec<V> a[3], b[3];
     for (int k = 0; k < 3; ++k) {
-      a[k] = core::load_nodes<V>(pass.u, batch.node[k].data() + lane0);
-      b[k] = core::load_nodes<V>(pass.u, batch.node[k + 3].data() + lane0);
+      a[k] = core::load_vectors<V>(pass.u, batch.node[k].data() + lane0);
+      b[k] = core::load_vectors<V>(pass.u, batch.node[k + 3].data() + lane0);
     }
     auto edge = [&](int i) { return core::load<V>(batch.edge[i].data() + lane0); };
     auto f = joint_frame<V>(a, b, {edge(0), edge(1), edge(2)}, {edge(3), edge(4), edge(5)});
@@ -181,15 +181,14 @@ template <class V> struct BatchPack {
     Vec<V> const theta{half_inverse * core::dot(cofactor, moment),
                        half_inverse * core::dot(core::cross(row_z, row_x), moment),
                        half_inverse * core::dot(core::cross(row_x, row_y), moment)};
+    Vec<V> on_a[3], on_b[3];
     for (int k = 0; k < 3; ++k) {
       Vec<V> const both = core::cross(theta, r[k]);
-      put_force(batch.force_a, k, both + force[k]);
-      put_force(batch.force_b, k, both - force[k]);
+      on_a[k] = both + force[k];
+      on_b[k] = both - force[k];
     }
-  }
-
-  void put_force(JointBatch::Starts const& start, int corner, Vec<V> f) const {
-    core::store_fours(pass.force + 4 * corner, start.data() + lane0, {f.x, f.y, f.z, V(0.0)});
+    core::store_three<V>(pass.force, batch.force_a.data() + lane0, on_a);
+    core::store_three<V>(pass.force, batch.force_b.data() + lane0, on_b);
   }
 };
 

@@ -53,7 +53,7 @@ JointKinematics joint_kinematics(model::Model const& m, state::State const& s, i
 /// Cauchy stress of a tet: xx yy zz xy yz zx [Pa], elastic part.
 std::array<double, 6> tet_stress(model::Model const& m, state::State const& s, int tet);
 /// Gradient of a nodal field (displacements, velocities) in a tet, over the reference positions.
-Mat3 gradient_in(model::Model const& m, core::Buffer<double> const& field, int tet);
+Mat3 gradient_in(model::Model const& m, core::NodeField const& field, int tet);
 /// Deformation gradient of a tet minus the identity.
 Mat3 displacement_gradient(model::Model const& m, state::State const& s, int tet);
 

@@ -52,12 +52,12 @@ Mat3 gradient_rows(model::TetBlocks const& t, std::size_t tet) {
 
 } // namespace
 
-Mat3 gradient_in(Model const& m, core::Buffer<double> const& field, int tet) {
+Mat3 gradient_in(Model const& m, core::NodeField const& field, int tet) {
   Mat3 const g = gradient_rows(m.tets, static_cast<std::size_t>(tet));
-  double const* const f = field.data() + 16 * static_cast<std::size_t>(tet);
+  double const* const f = field.of_tet(static_cast<std::size_t>(tet));
   Mat3 d;
   for (int a = 0; a < 3; ++a)
-    for (int r = 0; r < 3; ++r) d[a][r] = f[4 * (a + 1) + r] - f[r];
+    for (int r = 0; r < 3; ++r) d[a][r] = f[core::per_node * (a + 1) + r] - f[r];
   return transpose(d) * g;
 }
 

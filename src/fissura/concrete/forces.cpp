@@ -14,11 +14,11 @@ using state::TetSums;
 
 namespace {
 
-constexpr std::size_t blocks_per_chunk = 32;                 // 256 tets: the unit of work and of summation
-constexpr std::size_t doubles_per_block = 16 * model::block; // of a nodal field
+constexpr std::size_t blocks_per_chunk = 32; // 256 tets: the unit of work and of summation
+constexpr std::size_t doubles_per_block = core::per_tet * model::block; // of a nodal field
 
 /// Eq. (1) for nodes that move as one: their corner forces are summed in ascending order of the nodes.
-TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, double const* corner_force,
+TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, core::NodeField const& corner_force,
                            std::size_t begin, std::size_t end) {
   TetSums sums;
   double const dt = pass.dt, keep = 1 - 0.5 * pass.mass_damping * dt,
@@ -35,15 +35,15 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, double
     double const ratio = weighing * inverse;
     for (int r = 0; r < 3; ++r) {
       double f = 0;
-      for (int i = from; i < to; ++i) f += corner_force[4 * m.bonding.node[i] + r];
-      double const old = s.v[4 * first + r];
+      for (int i = from; i < to; ++i) f += corner_force(m.bonding.node[i], r);
+      double const old = s.v(first, r);
       double a = inverse * f + ratio * pass.gravity[r];
       double const damped = pass.local_damping * std::abs(a);
       a -= old > 0 ? damped : old < 0 ? -damped : 0;
-      double const v = scale * (keep * old + dt * a), u = s.u[4 * first + r] + dt * v;
+      double const v = scale * (keep * old + dt * a), u = s.u(first, r) + dt * v;
       for (int i = from; i < to; ++i) {
-        s.v[4 * m.bonding.node[i] + r] = v;
-        s.u[4 * m.bonding.node[i] + r] = u;
+        s.v(m.bonding.node[i], r) = v;
+        s.u(m.bonding.node[i], r) = u;
       }
       double const sense = old > 0 ? 1 : old < 0 ? -1 : 0;
       sums.local_damping += mass * damped * sense * 0.5 * (old + v) * dt;
@@ -105,7 +105,7 @@ TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 grav
 
   std::size_t const clusters = m.bonding.start.size() - 1, grain = 8 * blocks_per_chunk;
   parallel::for_chunks(clusters, grain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    w.tet_sums[chunk] = integrate_clusters(m, s, pass, w.corner_force.data(), begin, end);
+    w.tet_sums[chunk] = integrate_clusters(m, s, pass, w.corner_force, begin, end);
   });
   for (std::size_t c = 0; c < parallel::chunks(clusters, grain); ++c) add(total, w.tet_sums[c]);
   return total;

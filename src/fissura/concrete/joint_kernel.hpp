@@ -48,8 +48,8 @@ template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::siz
   float const* const edge = pass.joints->edge.data() + b * 6 * model::block + lane0;
   Vec<V> on_a[3], on_b[3];
   for (int k = 0; k < 3; ++k) {
-    on_a[k] = core::load_nodes<V>(pass.u, node + k * model::block);
-    on_b[k] = core::load_nodes<V>(pass.u, node + (k + 3) * model::block);
+    on_a[k] = core::load_vectors<V>(pass.u, node + k * model::block);
+    on_b[k] = core::load_vectors<V>(pass.u, node + (k + 3) * model::block);
   }
   auto row = [&](int i) { return load<V>(edge + i * model::block); };
   return joint_frame<V>(on_a, on_b, {row(0), row(1), row(2)}, {row(3), row(4), row(5)});
@@ -61,9 +61,9 @@ inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
   if (b + ahead >= pass.joints->blocks()) return;
   int const* const node = pass.joints->node.data() + ((b + ahead) * 6 + 3) * model::block;
   for (int i = 0; i < model::block; ++i) {
-    double const* const tet = pass.u + (node[i] & ~15);
+    double const* const tet = pass.u + (node[i] - node[i] % core::per_tet);
     __builtin_prefetch(tet);
-    __builtin_prefetch(tet + 8);
+    __builtin_prefetch(tet + 8); // it spans two lines
   }
 }
 
@@ -92,10 +92,11 @@ inline void joint_pack(JointPass const& pass, std::size_t b, int lane0, MarkedJo
   Vec<V> const t12 = intact_traction<rate>(c, jump_at(f, 1), f.normal, beyond);
   Vec<V> const t20 = intact_traction<rate>(c, jump_at(f, 2), f.normal, beyond);
 
-  double* const force = pass.force + 12 * first;
-  core::store_nodes<V>(force, 12, c.weight * (t20 + t01));
-  core::store_nodes<V>(force + 4, 12, c.weight * (t01 + t12));
-  core::store_nodes<V>(force + 8, 12, c.weight * (t12 + t20));
+  constexpr int per_slot = state::JointSlots::per_slot;
+  int start[w];
+  for (int i = 0; i < w; ++i) start[i] = per_slot * i;
+  core::store_three<V>(pass.force + per_slot * first, start,
+                       {c.weight * (t20 + t01), c.weight * (t01 + t12), c.weight * (t12 + t20)});
   beyond = beyond && is_intact;
   if (!core::any(beyond)) [[likely]]
     return;

@@ -9,7 +9,7 @@ using state::State;
 namespace {
 
 Vec<double> displacement(State const& s, int node, double back) {
-  double const *u = s.u.data() + 4 * node, *v = s.v.data() + 4 * node;
+  double const *u = s.u.of_node(node), *v = s.v.of_node(node);
   return {u[0] - back * v[0], u[1] - back * v[1], u[2] - back * v[2]};
 }
 

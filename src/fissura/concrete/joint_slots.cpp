@@ -20,7 +20,7 @@ void connect(state::JointSlots& slots, mesh::TetFace side, mesh::FaceCorners con
   auto const& list = mesh::face_corners[side.face];
   for (int k = 0; k < 3; ++k) {
     auto const i = static_cast<int>(std::find(list.begin(), list.end(), corner[k]) - list.begin());
-    slots.place[model::at(tet, 3 * side.face + i, 12)] = static_cast<int>(from) + 4 * k;
+    slots.place[model::at(tet, 3 * side.face + i, 12)] = static_cast<int>(from) + core::per_node * k;
   }
 }
 

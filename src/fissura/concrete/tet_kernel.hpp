@@ -1,6 +1,8 @@
 #pragma once
 // Tet forces (Eqs. 6-12), the gather of the joint forces, and the integration of Eq. (1) in one pass over the
 // tets. Included only by the files that are compiled per instruction set.
+#include <algorithm>
+
 #include "fissura/concrete/kernels.hpp"
 #include "fissura/core/pack.hpp"
 
@@ -55,15 +57,11 @@ template <class V> struct TetPack {
   double const* constant(core::Buffer<double> const& b, int components) const {
     return b.data() + block * components * model::block + lane0;
   }
-  std::size_t first_node() const { return 4 * (block * model::block + lane0); }
+  std::size_t first_tet() const { return block * model::block + lane0; }
 
   void load_state() {
-    int index[model::block];
-    for (int i = 0; i < core::lanes<V>; ++i) index[i] = 16 * i;
-    for (int a = 0; a < 4; ++a) {
-      u[a] = core::load_nodes<V>(pass.u + 4 * (first_node() + a), index);
-      v[a] = core::load_nodes<V>(pass.v + 4 * (first_node() + a), index);
-    }
+    core::load_tets<V>(pass.u + core::per_tet * first_tet(), u);
+    core::load_tets<V>(pass.v + core::per_tet * first_tet(), v);
   }
 
   /// Internal forces f_a = -V P grad N_a. Returns the power dissipated by the viscous stress [W].
@@ -156,7 +154,7 @@ template <class V> struct TetPack {
       V const s = load<V>(sign + face * model::block);
       for (int k = 0; k < 3; ++k) {
         int const a = mesh::face_corners[face][k];
-        f[a] = f[a] + s * core::load_nodes<V>(force, where + (3 * face + k) * model::block);
+        f[a] = f[a] + s * core::load_vectors<V>(force, where + (3 * face + k) * model::block);
       }
     }
   }
@@ -168,9 +166,9 @@ template <class V> struct TetPack {
       if (slot < 0) continue;
       double const* const o = pass.overlay->at(slot);
       for (int a = 0; a < 4; ++a) {
-        add_lane(f[a].x, i, o[4 * a]);
-        add_lane(f[a].y, i, o[4 * a + 1]);
-        add_lane(f[a].z, i, o[4 * a + 2]);
+        add_lane(f[a].x, i, o[core::per_node * a]);
+        add_lane(f[a].y, i, o[core::per_node * a + 1]);
+        add_lane(f[a].z, i, o[core::per_node * a + 2]);
       }
     }
   }
@@ -183,8 +181,7 @@ template <class V> struct TetPack {
 
   /// Into room that begins with the forces of block `begin`.
   void store_corner_forces(std::size_t begin) {
-    double* const here = pass.corner_force + 4 * (first_node() - 4 * model::block * begin);
-    for (int a = 0; a < 4; ++a) core::store_nodes<V>(here + 4 * a, 16, f[a]);
+    core::store_tets<V>(pass.corner_force + core::per_tet * (first_tet() - model::block * begin), f);
   }
 
   /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local
@@ -219,10 +216,8 @@ template <class V> struct TetPack {
       sums[1] += mass * core::dot(lost, mid);
       sums[2] += mass * core::dot(gm, v[a]);
     }
-    for (int a = 0; a < 4; ++a) {
-      core::store_nodes<V>(pass.u + 4 * (first_node() + a), 16, u[a]);
-      core::store_nodes<V>(pass.v + 4 * (first_node() + a), 16, v[a]);
-    }
+    core::store_tets<V>(pass.u + core::per_tet * first_tet(), u);
+    core::store_tets<V>(pass.v + core::per_tet * first_tet(), v);
   }
 };
 
@@ -232,9 +227,12 @@ inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
   if (b + ahead >= pass.tets->blocks()) return;
   int const* const where = pass.joints->place.data() + (b + ahead) * 12 * model::block;
   for (int face = 0; face < 4; ++face)
-    for (int i = 0; i < model::block; ++i)
-      for (int corner : {0, 2}) // a force spans two lines
-        __builtin_prefetch(pass.joints->force.data() + where[(3 * face + corner) * model::block + i]);
+    for (int i = 0; i < model::block; ++i) {
+      int const* const corner = where + 3 * face * model::block + i;
+      int const start = std::min({corner[0], corner[model::block], corner[2 * model::block]});
+      __builtin_prefetch(pass.joints->force.data() + start);
+      __builtin_prefetch(pass.joints->force.data() + start + 8); // nine numbers span two lines
+    }
 }
 
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {

@@ -20,11 +20,6 @@ struct PairSums {
   }
 };
 
-Vec3 read(core::Buffer<double> const& field, int node) {
-  double const* const f = field.data() + 4 * static_cast<std::size_t>(node);
-  return {f[0], f[1], f[2]};
-}
-
 /// Corners seen from a point near the pair, so that small overlaps keep their digits.
 struct Corners {
   std::array<Vec3, 4> reference, now;
@@ -33,22 +28,22 @@ Corners corners(Model const& m, State const& s, int tet, Vec3 origin) {
   Corners x;
   for (int c = 0; c < 4; ++c) {
     int const node = model::node_of(tet, c);
-    x.reference[c] = read(m.position, node) - origin;
-    x.now[c] = x.reference[c] + read(s.u, node);
+    x.reference[c] = m.position.at(node) - origin;
+    x.now[c] = x.reference[c] + s.u.at(node);
   }
   return x;
 }
 
 std::array<Vec3, 4> last_step(Model const& m, State const& s, int tet) {
   std::array<Vec3, 4> step;
-  for (int c = 0; c < 4; ++c) step[c] = m.dt * read(s.v, model::node_of(tet, c));
+  for (int c = 0; c < 4; ++c) step[c] = m.dt * s.v.at(model::node_of(tet, c));
   return step;
 }
 
 PairSums evaluate(Model const& m, State& s, Scratch& w, std::size_t i) {
   auto& pair = s.contact.pairs[i];
   auto& force = w.contact.force[i];
-  Vec3 const origin = read(m.position, model::node_of(pair.a, 0));
+  Vec3 const origin = m.position.at(model::node_of(pair.a, 0));
   Corners const a = corners(m, s, pair.a, origin), b = corners(m, s, pair.b, origin);
   bool const has_memory = pair.start > 0 || pair.stiffness > 0;
   if (!has_memory && are_apart(a.now, b.now, w.contact.separator[i])) {
@@ -73,7 +68,8 @@ void gather(Scratch& w, std::size_t begin, std::size_t end) {
       if (!f.acts) continue;
       for (int c = 0; c < 4; ++c) {
         Vec3 const on = entry.is_a ? f.on_a[c] : f.on_b[c];
-        out[4 * c] += on.x, out[4 * c + 1] += on.y, out[4 * c + 2] += on.z;
+        double* const corner = out + core::per_node * c;
+        corner[0] += on.x, corner[1] += on.y, corner[2] += on.z;
       }
     }
   }

@@ -29,8 +29,7 @@ constexpr double skin_used = 0.8; ///< the rest covers velocities that grow betw
 constexpr std::size_t tets_per_chunk = 512;
 
 Vec3 place_of(Model const& m, State const& s, int node) {
-  double const *x = m.position.data() + 4 * node, *u = s.u.data() + 4 * node;
-  return {x[0] + u[0], x[1] + u[1], x[2] + u[2]};
+  return m.position.at(node) + s.u.at(node);
 }
 
 struct MeanVelocity {
@@ -48,11 +47,6 @@ struct Fastest {
   }
 };
 
-Vec3 velocity_of(State const& s, int node) {
-  double const* const v = s.v.data() + 4 * static_cast<std::size_t>(node);
-  return {v[0], v[1], v[2]};
-}
-
 /// Sum of body(tet) over the tets, in a fixed order.
 template <class Value, class Body> Value sum_over(std::vector<int> const& tets, Body const& body) {
   return parallel::sum_chunks<Value>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
@@ -65,14 +59,13 @@ template <class Value, class Body> Value sum_over(std::vector<int> const& tets, 
 /// How far a surface node can go until the next look, seen from the mean motion of all [m].
 double window_travel(Model const& m, State const& s, std::vector<int> const& tets) {
   if (tets.empty()) return 0;
-  Vec3 const total = sum_over<MeanVelocity>(tets, [&](int t) {
-                       return MeanVelocity{velocity_of(s, model::node_of(t, 0))};
-                     }).sum;
+  Vec3 const total =
+      sum_over<MeanVelocity>(tets, [&](int t) { return MeanVelocity{s.v.at(model::node_of(t, 0))}; }).sum;
   Vec3 const mean = total / static_cast<double>(tets.size());
   auto const fastest = sum_over<Fastest>(tets, [&](int t) {
     Fastest f;
     for (int c = 0; c < 4; ++c) {
-      Vec3 const v = velocity_of(s, model::node_of(t, c)) - mean;
+      Vec3 const v = s.v.at(model::node_of(t, c)) - mean;
       f.square = std::max(f.square, dot(v, v));
     }
     return f;
@@ -232,7 +225,8 @@ void search(Model const& m, State& s, Scratch& w) {
 void refresh_pairs(Model const& m, State& s, Scratch& w) {
   if (!m.source.contact.on) return;
   auto& c = s.contact;
-  if (w.contact.surface.empty()) { // the work arrays are new, as after a restart: the list itself is in the state
+  if (w.contact.surface
+          .empty()) { // the work arrays are new, as after a restart: the list itself is in the state
     w.contact.surface = surface_tets(m, s);
     prepare(m, s, w);
   }

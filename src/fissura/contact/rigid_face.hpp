@@ -30,12 +30,9 @@ inline Vec3 at(Triangle const& x, FacePoint const& q) {
 }
 
 /// Values of a nodal field at the corners of a face.
-inline Triangle on_face(core::Buffer<double> const& field, int tet, int face) {
+inline Triangle on_face(core::NodeField const& field, int tet, int face) {
   Triangle x;
-  for (int k = 0; k < 3; ++k) {
-    double const* const p = field.data() + 4 * model::node_of(tet, mesh::face_corners[face][k]);
-    x[k] = {p[0], p[1], p[2]};
-  }
+  for (int k = 0; k < 3; ++k) x[k] = field.at(model::node_of(tet, mesh::face_corners[face][k]));
   return x;
 }
 

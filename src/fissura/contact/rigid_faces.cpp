@@ -53,8 +53,8 @@ double fastest_approach(Model const& m, State const& s) {
   double const node = parallel::sum_chunks<Largest>(nodes, grain, [&](std::size_t begin, std::size_t end) {
                         Largest most;
                         for (std::size_t i = begin; i < end; ++i) {
-                          double const* const v = s.v.data() + 4 * i;
-                          most.value = std::max(most.value, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+                          Vec3 const v = s.v.at(i);
+                          most.value = std::max(most.value, dot(v, v));
                         }
                         return most;
                       }).value;
@@ -66,9 +66,8 @@ double fastest_approach(Model const& m, State const& s) {
 geometry::Tet current(Model const& m, State const& s, int tet) {
   geometry::Tet x;
   for (int a = 0; a < 4; ++a) {
-    std::size_t const n = 4 * static_cast<std::size_t>(model::node_of(tet, a));
-    x[static_cast<std::size_t>(a)] = {m.position[n] + s.u[n], m.position[n + 1] + s.u[n + 1],
-                                      m.position[n + 2] + s.u[n + 2]};
+    auto const n = static_cast<std::size_t>(model::node_of(tet, a));
+    x[static_cast<std::size_t>(a)] = m.position.at(n) + s.u.at(n);
   }
   return x;
 }

@@ -105,7 +105,8 @@ class FacePass {
     double const area = face_.area * face_points[q].share;
     Vec3 const force = area * t.on_concrete;
     for (int k = 0; k < 3; ++k) {
-      double* const f = corner_force + 4 * mesh::face_corners[face_.face][static_cast<std::size_t>(k)];
+      double* const f =
+          corner_force + core::per_node * mesh::face_corners[face_.face][static_cast<std::size_t>(k)];
       double const share = face_points[q].corner[static_cast<std::size_t>(k)];
       for (int i = 0; i < 3; ++i) f[i] += share * force[i];
     }

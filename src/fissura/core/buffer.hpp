@@ -1,6 +1,7 @@
 #pragma once
 // A fixed-size array for the hot data of the step: zeroed, aligned to cache lines, and lazily committed by
-// the kernel, so histories of joints that never crack take no memory. Successive buffers start at different
+// the kernel, so histories of joints that never crack take no memory. Packs may read a line beyond the end.
+// Successive buffers start at different
 // offsets within a page: arrays whose starts agree modulo 4096 slow each other down (cache aliasing).
 #include <sys/mman.h>
 

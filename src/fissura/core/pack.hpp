@@ -1,7 +1,7 @@
 #pragma once
 // SIMD packs: one kernel is written as template<class V> and runs with V = double (the oracle) or with the
-// widest pack of the instruction set its file is compiled for. Nodes are stored as x, y, z, 0 (one aligned
-// load each); a pack of nodes is loaded and stored through transposes.
+// widest pack of the instruction set its file is compiled for. Nodes are stored as x, y, z one behind the
+// other; a pack of nodes is loaded and stored through transposes of four numbers per lane.
 //
 // Everything that is compiled per instruction set lives in an inline namespace named after it, so the linker
 // can never exchange an AVX function for a baseline one.
@@ -206,18 +206,37 @@ template <class V> inline void store_fours(double* base, int const* index, V con
   }
 }
 
-/// The nodes at base + index[0], base + index[1], ... (indices in doubles, multiples of 4).
-template <class V> inline Vec<V> load_nodes(double const* base, int const* index) {
+/// The vectors at base + index[0], base + index[1], ... (indices in doubles). Reads one number beyond each.
+template <class V> inline Vec<V> load_vectors(double const* base, int const* index) {
   V node[4];
   load_fours(base, index, node);
   return {node[0], node[1], node[2]};
 }
 
-/// Stores lane i at p + i*stride as x, y, z, 0.
-template <class V> inline void store_nodes(double* p, int stride, Vec<V> v) {
+/// Three vectors per lane, nine doubles without a gap, at base + index[0], base + index[1], ...
+template <class V> inline void store_three(double* base, int const* index, Vec<V> const (&v)[3]) {
+  store_fours(base, index, {v[0].x, v[0].y, v[0].z, v[1].x});
+  store_fours(base + 4, index, {v[1].y, v[1].z, v[2].x, v[2].y});
+  store_fours(base + 5, index, {v[1].z, v[2].x, v[2].y, v[2].z}); // three of them once more, for the ninth
+}
+
+/// The four nodes of the tets that lie one behind the other from `base` on, one per lane.
+template <class V> inline void load_tets(double const* base, Vec<V> (&node)[4]) {
   int index[lanes<V>];
-  for (int i = 0; i < lanes<V>; ++i) index[i] = i * stride;
-  store_fours(p, index, {v.x, v.y, v.z, V(0.0)});
+  for (int i = 0; i < lanes<V>; ++i) index[i] = 12 * i;
+  V a[4], b[4], c[4];
+  load_fours(base, index, a), load_fours(base + 4, index, b), load_fours(base + 8, index, c);
+  node[0] = {a[0], a[1], a[2]}, node[1] = {a[3], b[0], b[1]};
+  node[2] = {b[2], b[3], c[0]}, node[3] = {c[1], c[2], c[3]};
+}
+
+/// The opposite of load_tets.
+template <class V> inline void store_tets(double* base, Vec<V> const (&node)[4]) {
+  int index[lanes<V>];
+  for (int i = 0; i < lanes<V>; ++i) index[i] = 12 * i;
+  store_fours(base, index, {node[0].x, node[0].y, node[0].z, node[1].x});
+  store_fours(base + 4, index, {node[1].y, node[1].z, node[2].x, node[2].y});
+  store_fours(base + 8, index, {node[2].z, node[3].x, node[3].y, node[3].z});
 }
 
 } // namespace FISSURA_ISA

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t patches_per_chunk = 256;
 
-Vec3 velocity_of(State const& s, int node) {
-  return {s.v[4 * node], s.v[4 * node + 1], s.v[4 * node + 2]};
-}
-
 double sign(double x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
@@ -31,7 +27,7 @@ Vec3 damped(model::Absorbing::Patch const& p, FreeStep const& step, Vec3 before,
 
 AbsorbingEffects absorb(Model const& m, State& s, FreeStep const& step, model::Absorbing::Patch const& p,
                         Vec3 before, Vec3 gravity_mean) {
-  Vec3 const free = velocity_of(s, m.absorbing.node[static_cast<std::size_t>(p.begin)]);
+  Vec3 const free = s.v.at(m.absorbing.node[static_cast<std::size_t>(p.begin)]);
   Vec3 const now = damped(p, step, before, free), mid = 0.5 * (before + now),
              mid_free = 0.5 * (before + free);
   AbsorbingEffects e;
@@ -44,8 +40,8 @@ AbsorbingEffects absorb(Model const& m, State& s, FreeStep const& step, model::A
   for (int i = p.begin; i < p.end; ++i) {
     int const node = m.absorbing.node[static_cast<std::size_t>(i)];
     for (int r = 0; r < 3; ++r) {
-      s.u[4 * node + r] += step.dt * (now[r] - free[r]);
-      s.v[4 * node + r] = now[r];
+      s.u(node, r) += step.dt * (now[r] - free[r]);
+      s.v(node, r) = now[r];
     }
   }
   return e;
@@ -55,8 +51,7 @@ AbsorbingEffects absorb(Model const& m, State& s, FreeStep const& step, model::A
 
 void note_velocities(Model const& m, State const& s, state::Scratch& w) {
   for (std::size_t i = 0; i < m.absorbing.patches.size(); ++i)
-    w.velocity_before[i] =
-        velocity_of(s, m.absorbing.node[static_cast<std::size_t>(m.absorbing.patches[i].begin)]);
+    w.velocity_before[i] = s.v.at(m.absorbing.node[static_cast<std::size_t>(m.absorbing.patches[i].begin)]);
 }
 
 AbsorbingEffects absorb_waves(Model const& m, State& s, state::Scratch const& w, Vec3 gravity_mean) {

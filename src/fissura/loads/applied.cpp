@@ -22,7 +22,7 @@ void applied_forces(Model const& m, State const& s, Scratch& w) {
     double const value = value_at(load.curve, s, s.load_time());
     if (value == 0) continue;
     for (auto const& e : load.entries) {
-      double* const f = w.overlay.at(e.slot) + 4 * e.corner;
+      double* const f = w.overlay.at(e.slot) + core::per_node * e.corner;
       for (int r = 0; r < 3; ++r) f[r] += value * e.share[r];
     }
   }
@@ -35,8 +35,7 @@ double applied_work(Model const& m, State const& s) {
         0.5 * (value_at(load.curve, s, s.load_time()) + value_at(load.curve, s, s.load_time(m.dt)));
     double along = 0;
     for (auto const& e : load.entries) {
-      double const* const v = s.v.data() + 4 * model::node_of(m.overlay_tets[e.slot], e.corner);
-      along += e.share.x * v[0] + e.share.y * v[1] + e.share.z * v[2];
+      along += dot(e.share, s.v.at(model::node_of(m.overlay_tets[e.slot], e.corner)));
     }
     work += mean * along * m.dt;
   }

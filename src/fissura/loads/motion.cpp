@@ -39,14 +39,14 @@ NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep c
   NodeSums sum;
   for (std::size_t i = begin; i < end; ++i) {
     int const node = p.nodes[i];
-    double& v = s.v[4 * node + p.axis];
+    double& v = s.v(node, p.axis);
     double const free = v, mass = m.mass[node], a = step.acceleration(before, free);
     sum.reaction += mass * ((now - before) / step.dt + 0.5 * step.c * (before + now) - a);
     sum.kinetic += 0.125 * mass * ((before + now) * (before + now) - (before + free) * (before + free));
     double const sense = before > 0 ? 1 : before < 0 ? -1 : 0;
     sum.local_damping -= step.alpha * mass * std::abs(a) * sense * 0.5 * (before + free) * step.dt;
     sum.gravity += mass * m.tets.weight_ratio[node / 4] * gravity * (now - free) * step.dt;
-    s.u[4 * node + p.axis] += step.dt * (now - free);
+    s.u(node, p.axis) += step.dt * (now - free);
     v = now;
   }
   return sum;
@@ -61,7 +61,7 @@ double take_hold(Model const& m, State& s) {
     if (s.held[i] || p.motion.stage > s.stage) continue;
     s.held[i] = 1;
     for (int const node : p.nodes) {
-      double& v = s.v[4 * node + p.axis];
+      double& v = s.v(node, p.axis);
       work -= 0.5 * m.mass[node] * v * v;
       v = s.prescribed_velocity[i];
     }

@@ -1,6 +1,6 @@
 #pragma once
 // The hot, immutable data of the step, in blocks of 8 tets or joints (one block size for every instruction
-// set). Tet t owns nodes 4t..4t+3; a node's x, y, z, 0 start at double 4*node of every nodal array.
+// set). Tet t owns nodes 4t..4t+3.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -23,18 +23,18 @@ constexpr std::size_t at(std::size_t i, int component, int components) {
   return (i / block * components + component) * block + i % block;
 }
 
-/// Number of the node that is corner `corner` of tet `tet`; its data start at 4*node.
+/// Number of the node that is corner `corner` of tet `tet`.
 constexpr int node_of(int tet, int corner) {
   return 4 * tet + corner;
 }
 
 struct TetBlocks {
-  int count = 0;                     ///< tets; padding lanes have volume 0 and inverse mass 0
-  core::Buffer<double> gradient;     ///< [block][9][8] reference gradients of N_1, N_2, N_3 [1/m]
-  core::Buffer<double> volume;       ///< [block][8] [m3]
-  core::Buffer<double> inverse_mass; ///< [block][4][8] of the node (of its cluster where bonded) [1/kg]
-  core::Buffer<double> weight_ratio; ///< [block][8] real mass / scaled mass: what gravity acts on
-  SharedRows<3, block> moduli;       ///< G [Pa], lambda [Pa], mu_bar [Pa s]
+  int count = 0;                      ///< tets; padding lanes have volume 0 and inverse mass 0
+  core::Buffer<double> gradient;      ///< [block][9][8] reference gradients of N_1, N_2, N_3 [1/m]
+  core::Buffer<double> volume;        ///< [block][8] [m3]
+  core::Buffer<double> inverse_mass;  ///< [block][4][8] of the node (of its cluster where bonded) [1/kg]
+  core::Buffer<double> weight_ratio;  ///< [block][8] real mass / scaled mass: what gravity acts on
+  SharedRows<3, block> moduli;        ///< G [Pa], lambda [Pa], mu_bar [Pa s]
   std::vector<std::uint8_t> is_paper; ///< [block][8] 1 for tets of the law `paper`, else 0
   bool any_viscosity = false;
   bool any_scaled = false; ///< some weight_ratio is not 1
@@ -54,7 +54,7 @@ struct Joint {
 
 struct JointBlocks {
   int count = 0;
-  core::Buffer<int> node;         ///< [block][6][8] starts of the nodes a0 a1 a2 b0 b1 b2 (4*node)
+  core::Buffer<int> node;         ///< [block][6][8] where the nodes a0 a1 a2 b0 b1 b2 start in a NodeField
   core::Buffer<float> edge;       ///< [block][6][8] reference edges 0->1, 0->2 of the triangle [m]. They only
                                   ///< turn the normal, so half the digits do, and half the memory
   core::Buffer<double> stiffness; ///< [block][2][8] k [Pa/m], area/6 [m2]

@@ -84,8 +84,8 @@ void make_joint_data(Model& m, std::vector<double> const& k) {
     auto const& joint = j.joints[i];
     auto const g = geometry_of(m, m.adjacency.shared[joint.shared_face]);
     for (int c = 0; c < 3; ++c) {
-      j.node[at(i, c, 6)] = 4 * joint.node_a[c];
-      j.node[at(i, c + 3, 6)] = 4 * joint.node_b[c];
+      j.node[at(i, c, 6)] = core::per_node * joint.node_a[c];
+      j.node[at(i, c + 3, 6)] = core::per_node * joint.node_b[c];
       j.edge[at(i, c, 6)] = static_cast<float>((g.x[1] - g.x[0])[c]);
       j.edge[at(i, c + 3, 6)] = static_cast<float>((g.x[2] - g.x[0])[c]);
     }

@@ -24,7 +24,7 @@ void make_tet_data(Model& m) {
   t.inverse_mass = core::Buffer<double>(4 * n);
   t.weight_ratio = core::Buffer<double>(n);
   t.is_paper.assign(n, 0);
-  m.position = core::Buffer<double>(16 * n);
+  m.position = core::NodeField(4 * n);
   m.mass = core::Buffer<double>(4 * n);
   m.steel_mass = core::Buffer<double>(4 * n);
   for (std::size_t i = 0; i < n; ++i) t.weight_ratio[i] = 1;
@@ -46,7 +46,7 @@ void make_tet_data(Model& m) {
     m.added_mass += mass * (c.density_factor - 1);
     for (std::size_t a = 0; a < 4; ++a) {
       m.mass[4 * i + a] = mass * c.density_factor / 4;
-      for (int r = 0; r < 3; ++r) m.position[16 * i + 4 * a + static_cast<std::size_t>(r)] = x[a][r];
+      for (int r = 0; r < 3; ++r) m.position(4 * i + a, r) = x[a][r];
     }
   }
   auto const last = static_cast<std::size_t>(t.count - 1); // padding is of the last tet's concrete

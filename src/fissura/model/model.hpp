@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fissura/core/node_field.hpp"
 #include "fissura/mesh/mesh.hpp"
 #include "fissura/model/bars.hpp"
 #include "fissura/model/blocks.hpp"
@@ -18,7 +19,7 @@ struct Model {
   mesh::Mesh mesh;
   mesh::Adjacency adjacency;
   std::vector<int> material_of_tet; ///< index into source.concretes
-  core::Buffer<double> position;    ///< reference positions of the nodes, x y z 0 [m]
+  core::NodeField position;         ///< reference positions of the nodes [m]
   core::Buffer<double> mass;        ///< per node: its own share [kg], with density factor
   core::Buffer<double> steel_mass;  ///< per node: the bars' part of it [kg]
   TetBlocks tets;

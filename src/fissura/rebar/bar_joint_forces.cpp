@@ -16,7 +16,7 @@ class JointStep {
  public:
   JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
       : m_(m), whole_(s), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
-        i_(index), nodes_{m.position.data(), s.u.data()}, now_(w.bars.joint[index]),
+        i_(index), nodes_{m.position, s.u}, now_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
     slip_ = 0.5 * (now_.axial + (slip_only_ ? elongation_of_halves() : 0));
   }

@@ -25,7 +25,7 @@ template <class V, class Struct> struct Rows {
     core::load_fours(base + offset / sizeof(double), start, four);
   }
   Vec<V> get_vector(std::size_t offset, int const* start) const {
-    return core::load_nodes<V>(base + offset / sizeof(double), start);
+    return core::load_vectors<V>(base + offset / sizeof(double), start);
   }
   void put(std::size_t offset, int const* start, V const (&four)[4]) const {
     core::store_fours(base + offset / sizeof(double), start, four);
@@ -41,15 +41,15 @@ template <class V> inline Vec<V> unit(Vec<V> a) {
 }
 
 template <class V> inline Vec<V> displacement(BarPass const& pass, int const* node) {
-  return core::load_nodes<V>(pass.u, node);
+  return core::load_vectors<V>(pass.u, node);
 }
 template <class V> inline Vec<V> current(BarPass const& pass, int const* node) {
-  return core::load_nodes<V>(pass.position, node) + core::load_nodes<V>(pass.u, node);
+  return core::load_vectors<V>(pass.position, node) + core::load_vectors<V>(pass.u, node);
 }
 /// Displacement of the point of a host with weights w.
 template <class V> inline Vec<V> displacement(BarPass const& pass, int const* host, V const (&w)[4]) {
-  Vec<V> d = w[0] * core::load_nodes<V>(pass.u, host);
-  for (int c = 1; c < 4; ++c) d = d + w[c] * core::load_nodes<V>(pass.u + 4 * c, host);
+  Vec<V> d = w[0] * core::load_vectors<V>(pass.u, host);
+  for (int c = 1; c < 4; ++c) d = d + w[c] * core::load_vectors<V>(pass.u + core::per_node * c, host);
   return d;
 }
 
@@ -85,7 +85,8 @@ inline void find_gradients(BarPass const& pass, state::ElementLanes const& lanes
   int const* const host = lanes.host.data() + lane0;
   Vec<V> x[4];
   for (int c = 0; c < 4; ++c)
-    x[c] = core::load_nodes<V>(pass.position + 4 * c, host) + core::load_nodes<V>(pass.u + 4 * c, host);
+    x[c] = core::load_vectors<V>(pass.position + core::per_node * c, host) +
+           core::load_vectors<V>(pass.u + core::per_node * c, host);
   Vec<V> const a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0], b_c = core::cross(b, c);
   V const det = core::dot(a, b_c), zero(0.0);
   V const inverse = core::choose(det > zero, V(V(1.0) / det), zero);

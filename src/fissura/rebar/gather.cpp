@@ -40,11 +40,12 @@ void gather(model::Model const& m, state::Scratch& w, std::size_t begin, std::si
       auto const entry = w.bars.entries[i];
       if (entry.kind == Entry::Kind::element) {
         auto const& e = m.bars.elements[entry.index];
-        for (int c = 0; c < 4; ++c) add(out + 4 * c, e.w0[c] - e.w1[c], w.bars.element[entry.index].force);
+        for (int c = 0; c < 4; ++c)
+          add(out + core::per_node * c, e.w0[c] - e.w1[c], w.bars.element[entry.index].force);
       } else {
         auto const& j = w.bars.joint[entry.index];
         bool const a = entry.kind == Entry::Kind::side_a;
-        for (int c = 0; c < 4; ++c) add(out + 4 * c, a ? j.w_a[c] : -j.w_b[c], j.force);
+        for (int c = 0; c < 4; ++c) add(out + core::per_node * c, a ? j.w_a[c] : -j.w_b[c], j.force);
       }
     }
   }

@@ -10,8 +10,8 @@ namespace fissura::rebar {
 
 struct BarPass {
   model::Bars const* bars;
-  double const* position; ///< nodal: x, y, z, 0 of node 4 tet + corner at t = 0 [m]
-  double const* u;        ///< nodal: displacements [m]
+  double const* position; ///< of the nodes at t = 0 (a NodeField) [m]
+  double const* u;        ///< displacements of the nodes (a NodeField) [m]
   double* elongation;     ///< BarState::elongation
   state::BarScratch* scratch;
 };

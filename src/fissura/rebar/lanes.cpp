@@ -15,7 +15,7 @@ template <class Struct> int start(int item) {
   return item * static_cast<int>(sizeof(Struct) / sizeof(double));
 }
 int node(int tet, int corner) {
-  return 16 * tet + 4 * corner;
+  return core::per_node * model::node_of(tet, corner);
 }
 
 /// The items of each eight lanes, the last one repeated.

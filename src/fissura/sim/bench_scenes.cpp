@@ -96,7 +96,7 @@ Case beam(long tets) {
 /// Every node its own small velocity, so that nothing is trivially zero.
 void shake(Model const& m, State& s) {
   for (int node = 0; node < 4 * m.tet_count(); ++node)
-    for (int r = 0; r < 3; ++r) s.v[4 * node + r] = 1e-6 * ((node * 7 + r * 3) % 11 - 5);
+    for (int r = 0; r < 3; ++r) s.v(node, r) = 1e-6 * ((node * 7 + r * 3) % 11 - 5);
 }
 
 /// A number that looks random but is the same for the same joint.
@@ -113,11 +113,9 @@ void damage_half(Model const& m, State& s) {
 bool lies_in_plane(Model const& m, int joint, double spacing) {
   auto const& node = m.joints.joints[joint].node_a;
   for (int r = 0; r < 3; ++r) {
-    double const first = m.position[4 * static_cast<std::size_t>(node[0]) + static_cast<std::size_t>(r)];
+    double const first = m.position(node[0], r);
     bool lies = std::abs(first - spacing * std::round(first / spacing)) < 1e-3 * cell;
-    for (int const n : node)
-      lies = lies && std::abs(m.position[4 * static_cast<std::size_t>(n) + static_cast<std::size_t>(r)] -
-                              first) < 1e-3 * cell;
+    for (int const n : node) lies = lies && std::abs(m.position(n, r) - first) < 1e-3 * cell;
     if (lies) return true;
   }
   return false;

@@ -36,9 +36,8 @@ void change_motion(Model& m, State const& s, std::size_t i, std::string const& k
     refuse(fmt::format("`{}` is a motion: give `displacement` or `velocity`, not `{}`", p.name, key));
   check_stage(m, s, p.name, p.motion.stage);
   p.is_velocity = key == "velocity";
-  std::size_t const first = 4 * static_cast<std::size_t>(p.nodes.empty() ? 0 : p.nodes.front());
-  double const present =
-      p.is_velocity ? s.prescribed_velocity[i] / s.pace : s.u[first + static_cast<std::size_t>(p.axis)];
+  auto const first = static_cast<std::size_t>(p.nodes.empty() ? 0 : p.nodes.front());
+  double const present = p.is_velocity ? s.prescribed_velocity[i] / s.pace : s.u(first, p.axis);
   begin_now(p.motion, s, std::move(curve), present);
 }
 
@@ -75,7 +74,8 @@ void change_load(Model& m, State const& s, std::string const& name, std::string 
   if (name == "gravity" && m.gravity.on) {
     if (key != "acceleration") refuse(fmt::format("gravity has an `acceleration`, no `{}`", key));
     check_stage(m, s, name, m.gravity.curve.stage);
-    return begin_now(m.gravity.curve, s, std::move(curve), loads::value_at(m.gravity.curve, s, s.load_time()));
+    return begin_now(m.gravity.curve, s, std::move(curve),
+                     loads::value_at(m.gravity.curve, s, s.load_time()));
   }
   refuse(fmt::format("there is no load `{}` to change; there are: {}", name, names_of_loads(m)));
 }

@@ -130,9 +130,7 @@ class Doubts {
     for (auto const& p : m.prescribed) {
       Eigen::Matrix<double, 6, 6> mine = Eigen::Matrix<double, 6, 6>::Zero();
       for (int const node : p.nodes) {
-        auto const at = 4 * static_cast<std::size_t>(node);
-        Vec3 const x =
-            (2 / longest()) * (Vec3{m.position[at], m.position[at + 1], m.position[at + 2]} - centre);
+        Vec3 const x = (2 / longest()) * (m.position.at(static_cast<std::size_t>(node)) - centre);
         Eigen::Matrix<double, 6, 1> row = Eigen::Matrix<double, 6, 1>::Zero();
         row[p.axis] =
             1; // displacement along the axis of a unit translation, and of unit rotations: (w x r).e

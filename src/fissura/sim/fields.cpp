@@ -18,10 +18,6 @@ using state::State;
 
 namespace {
 
-Vec3 at_node(core::Buffer<double> const& field, int node) {
-  return {field[4 * node], field[4 * node + 1], field[4 * node + 2]};
-}
-
 void append(std::vector<float>& to, Vec3 v) {
   for (int r = 0; r < 3; ++r) to.push_back(static_cast<float>(v[r]));
 }
@@ -44,9 +40,9 @@ Grid tet_grid(Model const& m, State const& s) {
   for (int t = 0; t < m.tets.count; ++t) {
     for (int a = 0; a < 4; ++a) {
       int const node = model::node_of(t, a);
-      g.points.push_back(at_node(m.position, node));
-      append(displacement, at_node(s.u, node));
-      append(velocity, at_node(s.v, node));
+      g.points.push_back(m.position.at(node));
+      append(displacement, s.u.at(node));
+      append(velocity, s.v.at(node));
     }
     add_cell(g, output::cell_type::tetrahedron, 4);
     for (double const x : concrete::tet_stress(m, s, t)) stress.push_back(static_cast<float>(x));
@@ -71,8 +67,8 @@ Grid crack_grid(Model const& m, State const& s) {
     auto const& joint = m.joints.joints[j];
     auto const history = s.joint_history.of(static_cast<std::size_t>(j));
     for (int k = 0; k < 3; ++k) {
-      g.points.push_back(at_node(m.position, joint.node_a[k]));
-      append(displacement, 0.5 * (at_node(s.u, joint.node_a[k]) + at_node(s.u, joint.node_b[k])));
+      g.points.push_back(m.position.at(joint.node_a[k]));
+      append(displacement, 0.5 * (s.u.at(joint.node_a[k]) + s.u.at(joint.node_b[k])));
     }
     add_cell(g, output::cell_type::triangle, 3);
     auto const kinematics = concrete::joint_kinematics(m, s, j);
@@ -106,8 +102,8 @@ Grid bar_grid(Model const& m, State const& s) {
   auto place = [&](int tet, std::array<double, 4> const& w) {
     Vec3 x, u;
     for (int a = 0; a < 4; ++a) {
-      x += w[a] * at_node(m.position, model::node_of(tet, a));
-      u += w[a] * at_node(s.u, model::node_of(tet, a));
+      x += w[a] * m.position.at(model::node_of(tet, a));
+      u += w[a] * s.u.at(model::node_of(tet, a));
     }
     g.points.push_back(x);
     append(displacement, u);

@@ -70,8 +70,8 @@ struct Totals {
     mass.add(real), inertia.add(inertial);
     double squared = 0;
     for (int r = 0; r < 3; ++r) {
-      double const v = s.v[4 * node + r];
-      moment[r].add(real * (m.position[4 * node + r] + s.u[4 * node + r]));
+      double const v = s.v(node, r);
+      moment[r].add(real * (m.position(node, r) + s.u(node, r)));
       momentum[r].add(inertial * v);
       squared += v * v;
     }

@@ -39,19 +39,19 @@ std::vector<int> nearest_node(Model const& m, Vec3 at) {
 
 Vec3 mean_displacement(State const& s, std::vector<int> const& nodes) {
   Vec3 sum;
-  for (int const n : nodes) sum += Vec3{s.u[4 * n], s.u[4 * n + 1], s.u[4 * n + 2]};
+  for (int const n : nodes) sum += s.u.at(n);
   return sum / static_cast<double>(std::max<std::size_t>(1, nodes.size()));
 }
 
 Vec3 mean_position(Model const& m, std::vector<int> const& nodes) {
   Vec3 sum;
-  for (int const n : nodes) sum += Vec3{m.position[4 * n], m.position[4 * n + 1], m.position[4 * n + 2]};
+  for (int const n : nodes) sum += m.position.at(n);
   return sum / static_cast<double>(std::max<std::size_t>(1, nodes.size()));
 }
 
-double mean_component(core::Buffer<double> const& field, std::vector<int> const& nodes, int axis) {
+double mean_component(core::NodeField const& field, std::vector<int> const& nodes, int axis) {
   double sum = 0;
-  for (int const n : nodes) sum += field[4 * n + axis];
+  for (int const n : nodes) sum += field(n, axis);
   return sum / static_cast<double>(std::max<std::size_t>(1, nodes.size()));
 }
 

@@ -95,7 +95,7 @@ std::optional<Trouble> inverted_tet(Model const& m, State const& s) {
   int worst = -1;
   double least = 0;
   for (int tet = 0; tet < m.tets.count; ++tet) {
-    if (!core::all_finite(s.u.data() + 16 * static_cast<std::size_t>(tet), 16)) continue;
+    if (!core::all_finite(s.u.of_tet(static_cast<std::size_t>(tet)), core::per_tet)) continue;
     double const J = volume_ratio(m, s, tet);
     if (J <= 0 && (worst < 0 || J < least)) worst = tet, least = J;
   }

@@ -22,12 +22,11 @@ Vec3 centroid(Model const& m, int tet) {
 /// How many of the coordinates of a tet's nodes are not finite, in both fields.
 int bad_numbers(State const& s, int tet) {
   int count = 0;
-  for (int a = 0; a < 4; ++a)
-    for (int r = 0; r < 3; ++r) {
-      std::size_t const k = 16 * static_cast<std::size_t>(tet) + static_cast<std::size_t>(4 * a + r);
-      count += !core::is_finite(s.u[k]);
-      count += !core::is_finite(s.v[k]);
-    }
+  auto const t = static_cast<std::size_t>(tet);
+  for (int i = 0; i < core::per_tet; ++i) {
+    count += !core::is_finite(s.u.of_tet(t)[i]);
+    count += !core::is_finite(s.v.of_tet(t)[i]);
+  }
   return count;
 }
 
@@ -80,8 +79,7 @@ Spot joint_spot(Model const& m, int joint, std::string field) {
   s.what = fmt::format("joint {} between tets {} and {} of group {}", joint, s.tet,
                        m.mesh.input_id[static_cast<std::size_t>(j.node_b[0] / 4)], s.group);
   Vec3 sum;
-  for (int const node : j.node_a)
-    for (int r = 0; r < 3; ++r) sum[r] += m.position[4 * static_cast<std::size_t>(node) + r];
+  for (int const node : j.node_a) sum += m.position.at(static_cast<std::size_t>(node));
   s.at = (1.0 / 3) * sum;
   return s;
 }
@@ -101,8 +99,7 @@ Fastest fastest_tet(Model const& m, State const& s) {
   Fastest f;
   double largest = 0;
   for (std::size_t n = 0; n < 4 * static_cast<std::size_t>(m.tets.count); ++n) {
-    double const* const v = s.v.data() + 4 * n;
-    double const square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    double const square = dot(s.v.at(n), s.v.at(n));
     if (f.tet >= 0 && !(square > largest)) continue;
     largest = square;
     f.tet = static_cast<int>(n / 4);
@@ -127,7 +124,7 @@ std::optional<Spot> find_non_finite_motion(Model const& m, State const& s) {
     std::tuple const rank{bad_numbers(s, t), share_of_bad(m, s, t), -norm(centroid(m, t) - middle)};
     if (rank > best) source = t, best = rank;
   }
-  bool const moved = !core::all_finite(s.u.data() + 16 * static_cast<std::size_t>(source), 16);
+  bool const moved = !core::all_finite(s.u.of_tet(static_cast<std::size_t>(source)), core::per_tet);
   return tet_spot(m, source, moved ? "displacement" : "velocity");
 }
 

@@ -26,9 +26,12 @@ std::uint64_t input(Model const& m, int tet) {
 }
 
 std::uint64_t tet_hash(Model const& m, State const& s, int t) {
-  double record[32];
-  std::copy_n(s.u.data() + 16 * static_cast<std::size_t>(t), 16, record);
-  std::copy_n(s.v.data() + 16 * static_cast<std::size_t>(t), 16, record + 16);
+  double record[32] = {};
+  auto const tet = static_cast<std::size_t>(t);
+  for (int a = 0; a < 4; ++a) {
+    std::copy_n(s.u.of_node(4 * tet + a), 3, record + 4 * a);
+    std::copy_n(s.v.of_node(4 * tet + a), 3, record + 16 + 4 * a);
+  }
   for (double& x : record) x += 0.0; // -0 and +0 are the same state
   return core::hash_bytes(record, sizeof record, input(m, t));
 }

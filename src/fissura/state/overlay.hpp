@@ -7,13 +7,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "fissura/core/node_field.hpp"
+
 namespace fissura::state {
 
 struct Overlay {
   std::vector<int> tets;              ///< the tets that own a slot
   std::vector<int> slot_of_tet;       ///< per tet, padded to blocks: its slot, or -1
   std::vector<std::uint8_t> in_block; ///< per block of 8 tets: some tet of it owns a slot
-  std::vector<double> force;          ///< [slot][corner][x y z 0], N
+  std::vector<double> force;          ///< [slot][corner][x y z], N
 
   Overlay() = default;
   /// Slots for `first_tets`, in their order, out of `padded` tets (a multiple of 8).
@@ -29,13 +31,13 @@ struct Overlay {
     slot = static_cast<int>(tets.size());
     tets.push_back(tet);
     in_block[static_cast<std::size_t>(tet) / 8] = 1;
-    force.resize(16 * tets.size(), 0.0);
+    force.resize(core::per_tet * tets.size(), 0.0);
     return slot;
   }
 
   void clear() { std::fill(force.begin(), force.end(), 0.0); }
-  double* at(int slot) { return force.data() + 16 * slot; }
-  double const* at(int slot) const { return force.data() + 16 * slot; }
+  double* at(int slot) { return force.data() + core::per_tet * slot; }
+  double const* at(int slot) const { return force.data() + core::per_tet * slot; }
 };
 
 } // namespace fissura::state

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fissura/core/buffer.hpp"
+#include "fissura/core/node_field.hpp"
 #include "fissura/state/bar_state.hpp"
 #include "fissura/state/contact_state.hpp"
 #include "fissura/state/joint_batch.hpp"
@@ -54,8 +55,8 @@ struct State {
   long step = 0;                           ///< completed steps: u is at step * dt
   double time = 0;                         ///< [s]
   int stage = 0;                           ///< current stage
-  core::Buffer<double> u;                  ///< [node][4] displacements at step n [m]
-  core::Buffer<double> v;                  ///< [node][4] velocities at n - 1/2 [m/s]
+  core::NodeField u;                       ///< displacements at step n [m]
+  core::NodeField v;                       ///< velocities at n - 1/2 [m/s]
   core::Buffer<std::uint8_t> joint_status; ///< JointStatus, padded to blocks
   JointHistories joint_history;
   core::Buffer<JointRate> joint_rate; ///< empty unless some strength depends on the strain rate
@@ -88,8 +89,9 @@ struct LaneCounts {
 /// side b takes with the opposite sign; once it is damaged side b has a slot of its own
 /// (concrete::separate_sides).
 struct JointSlots {
+  static constexpr std::size_t per_slot = 3 * core::per_node;
   std::size_t joints = 0;           ///< padded to blocks
-  core::Buffer<double> force;       ///< slots of 12 as below: [3][4] [N]
+  core::Buffer<double> force;       ///< slots of 9, corner by corner: x, y, z [N]
   core::Buffer<int> place;          ///< [block][12][8] face by face, corner by corner: where its force starts
   core::Buffer<float> sign;         ///< [block][4][8] +1, -1, 0 per face
   std::vector<double> laws;         ///< those that occur, in the order of state/joint_batch.hpp
@@ -97,18 +99,18 @@ struct JointSlots {
   core::Buffer<JointBatch> batches; ///< as JointHistories::rows
 
   /// Where the force on side a of a joint starts.
-  std::size_t side_a(int joint) const { return 12 * static_cast<std::size_t>(joint); }
+  std::size_t side_a(int joint) const { return per_slot * static_cast<std::size_t>(joint); }
   /// Where the force on side b of a damaged joint starts.
-  std::size_t side_b(int joint) const { return 12 * (joints + static_cast<std::size_t>(joint)); }
+  std::size_t side_b(int joint) const { return per_slot * (joints + static_cast<std::size_t>(joint)); }
   /// What released joints exert.
-  std::size_t zeros() const { return 24 * joints; }
+  std::size_t zeros() const { return 2 * per_slot * joints; }
   /// Where idle lanes of a group put their forces: nobody reads them.
   std::size_t nobody(std::size_t in_group) const { return zeros() + 16 * (1 + in_group); }
 };
 
 struct Scratch {
   JointSlots joints;
-  core::Buffer<double> corner_force; ///< [node][4], used only with bonded nodes [N]
+  core::NodeField corner_force; ///< used only with bonded nodes [N]
   Overlay overlay;
   BarScratch bars;
   RigidScratch rigid;

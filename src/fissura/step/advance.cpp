@@ -89,8 +89,8 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
 State make_state(Model const& m) {
   State s;
   std::size_t const nodes = 4 * m.tets.blocks() * model::block, joints = m.joints.blocks() * model::block;
-  s.u = core::Buffer<double>(4 * nodes);
-  s.v = core::Buffer<double>(4 * nodes);
+  s.u = core::NodeField(nodes);
+  s.v = core::NodeField(nodes);
   s.joint_status = core::Buffer<std::uint8_t>(joints);
   s.joint_history = state::JointHistories(joints);
   if (m.joints.any_rate) s.joint_rate = core::Buffer<state::JointRate>(joints);
@@ -110,7 +110,7 @@ Scratch make_scratch(Model const& m, State const& s) {
   Scratch w;
   std::size_t const tets = m.tets.blocks() * model::block;
   w.joints = concrete::make_joint_slots(m, s);
-  if (m.bonding.any) w.corner_force = core::Buffer<double>(16 * tets);
+  if (m.bonding.any) w.corner_force = core::NodeField(4 * tets);
   w.overlay = state::Overlay(tets, m.overlay_tets);
   w.bars = rebar::make_bar_scratch(m, w.overlay);
   w.velocity_before.resize(m.absorbing.patches.size());

@@ -20,6 +20,7 @@ using state::State;
 
 namespace {
 
+constexpr std::size_t axes = core::per_node;
 constexpr double tolerance = 0.002;
 /// On large meshes the residual, which counts as part of the frequency, falls slowly and a product is dear.
 constexpr int most_products = 100, most_products_on_large = 40, large = 50'000;
@@ -32,13 +33,13 @@ class Tangent {
  public:
   Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
     if (bars_activated) rebar::activate_all(m, s_.bars);
-    if (!m.initial_velocity.empty()) std::fill(s_.v.begin(), s_.v.end(), 0.0);
+    if (!m.initial_velocity.empty()) std::fill(s_.v.values.begin(), s_.v.values.end(), 0.0);
     keep_forces_at_rest();
     weigh_unknowns();
   }
 
   double largest(bool of_viscosity) {
-    std::vector<float> start(s_.u.size());
+    std::vector<float> start(s_.u.values.size());
     unsigned x = 1;
     for (float& value : start)
       value = static_cast<float>((x = x * 1664525u + 1013904223u) / 4294967296.0 - 0.5);
@@ -54,7 +55,7 @@ class Tangent {
   /// Motion per unknown: the root of copies over the cluster's mass makes the norm of the unknowns the
   /// energy.
   void weigh_unknowns() {
-    per_unknown_.resize(s_.u.size() / 4);
+    per_unknown_.resize(s_.u.nodes());
     for (std::size_t n = 0; n < per_unknown_.size(); ++n)
       per_unknown_[n] =
           static_cast<float>(std::sqrt(m_.tets.inverse_mass[model::at(n / 4, static_cast<int>(n % 4), 4)]));
@@ -65,14 +66,13 @@ class Tangent {
             std::sqrt(static_cast<float>(b.start[c + 1] - b.start[c]));
   }
 
-  /// One value for bonded copies, nothing in the padding.
+  /// One value for bonded copies.
   void constrain(std::span<float> x) const {
-    for (std::size_t n = 0; 4 * n < x.size(); ++n) x[4 * n + 3] = 0;
     auto const& b = m_.bonding;
     for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
       for (int r = 0; r < 3; ++r) {
         auto at = [&](int i) -> float& {
-          return x[4 * static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)]) +
+          return x[axes * static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)]) +
                    static_cast<std::size_t>(r)];
         };
         double mean = 0;
@@ -82,25 +82,25 @@ class Tangent {
   }
 
   /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size - share out.
-  void apply(std::span<float const> in, double share, std::span<float> out, core::Buffer<double>& field,
+  void apply(std::span<float const> in, double share, std::span<float> out, core::NodeField& field,
              double length) {
     double largest = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
-      largest = std::max<double>(largest, per_unknown_[i / 4] * std::abs(in[i]));
+      largest = std::max<double>(largest, per_unknown_[i / axes] * std::abs(in[i]));
     double const size = length / largest, inverse = 1 / size;
     parallel::for_chunks(per_unknown_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
-        for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) field[i] = size * per_unknown_[n] * in[i];
+        for (std::size_t i = axes * n; i < axes * (n + 1); ++i)
+          field.values[i] = size * per_unknown_[n] * in[i];
     });
     forces([&](std::size_t first, std::span<double const> force) {
-      for (std::size_t n = 0; 4 * n < force.size(); ++n)
-        for (std::size_t i = 4 * n; i < 4 * n + 3; ++i) {
-          double const change = force[i] - (at_rest_.empty() ? 0 : at_rest_[4 * first + i]);
-          float& to = out[4 * first + i];
-          to = static_cast<float>(-per_unknown_[first + n] * inverse * change - share * to);
-        }
+      for (std::size_t i = 0; i < force.size(); ++i) {
+        double const change = force[i] - (at_rest_.empty() ? 0 : at_rest_[axes * first + i]);
+        float& to = out[axes * first + i];
+        to = static_cast<float>(-per_unknown_[first + i / axes] * inverse * change - share * to);
+      }
     });
-    std::fill(field.begin(), field.end(), 0.0);
+    std::fill(field.values.begin(), field.values.end(), 0.0);
     constrain(out);
   }
 
@@ -111,9 +111,9 @@ class Tangent {
       if (std::any_of(force.begin(), force.end(), [](double f) { return f != 0; })) any = true;
     });
     if (!any) return;
-    at_rest_.resize(s_.u.size());
+    at_rest_.resize(s_.u.values.size());
     forces([&](std::size_t first, std::span<double const> force) {
-      std::copy(force.begin(), force.end(), at_rest_.begin() + static_cast<std::ptrdiff_t>(4 * first));
+      std::copy(force.begin(), force.end(), at_rest_.begin() + static_cast<std::ptrdiff_t>(axes * first));
     });
   }
 

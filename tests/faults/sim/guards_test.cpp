@@ -106,10 +106,8 @@ std::vector<Plant> all_fields() {
     all.push_back({std::move(name), std::move(number)});
   };
   for (int k : {0, 1, 2, 101, 202}) {
-    add("u_" + std::to_string(k),
-        [k](State& s) { return &s.u[static_cast<std::size_t>(4 * (k / 3) + k % 3)]; });
-    add("v_" + std::to_string(k),
-        [k](State& s) { return &s.v[static_cast<std::size_t>(4 * (k / 3) + k % 3)]; });
+    add("u_" + std::to_string(k), [k](State& s) { return &s.u.values[static_cast<std::size_t>(k)]; });
+    add("v_" + std::to_string(k), [k](State& s) { return &s.v.values[static_cast<std::size_t>(k)]; });
   }
   for (int k = 0; k < state::JointHistory::doubles; ++k)
     add("joint_history_" + std::to_string(k),
@@ -270,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(AnyField, NotFinite, testing::ValuesIn(all_fields()), n
 TEST(Guards, name_the_tet_where_it_began) {
   for (int const tet : {3, 40, 77}) {
     auto const x = scene();
-    x->s.u[16 * static_cast<std::size_t>(tet) + 5] = nan;
+    x->s.u(model::node_of(tet, 1), 1) = nan;
     auto const found = guard(*x);
     ASSERT_TRUE(found);
     ASSERT_TRUE(found->spot.has_place);
@@ -305,8 +303,7 @@ TEST(Guards, name_joints_and_bars) {
 void turn_inside_out(Stepper& x, int tet) {
   auto const corners = mesh::corners(x.m.mesh, tet);
   Vec3 const opposite = (1.0 / 3) * (corners[1] + corners[2] + corners[3]);
-  for (int r = 0; r < 3; ++r)
-    x.s.u[16 * static_cast<std::size_t>(tet) + r] = 1.5 * (opposite - corners[0])[r];
+  for (int r = 0; r < 3; ++r) x.s.u(model::node_of(tet, 0), r) = 1.5 * (opposite - corners[0])[r];
 }
 
 // Requirement: a tet that is turned inside out is named at the next reading of the energies, by either law.
@@ -332,7 +329,7 @@ TEST(Guards, name_a_tet_that_is_inside_out) {
 TEST(Guards, name_a_runaway) {
   auto speed = [](double v) {
     auto x = std::make_unique<Stepper>(tie_case({4, 1, 1}, 1, 1));
-    x->s.v[16 * 11] = v;
+    x->s.v(model::node_of(11, 0), 0) = v;
     x->s.ledger.kinetic_before = 1e9;
     x->s.step = sim::Guards::interval;
     return sim::Guards(x->m).after_step(x->m, x->s);

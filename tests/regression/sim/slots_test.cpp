@@ -59,8 +59,8 @@ TEST(JointSlots, made_anew_change_no_bit) {
   x.advance(1000), y.advance(1000);
   y.w = step::make_scratch(y.m, y.s);
   x.advance(50), y.advance(50);
-  EXPECT_TRUE(std::equal(x.s.u.begin(), x.s.u.end(), y.s.u.begin()));
-  EXPECT_TRUE(std::equal(x.s.v.begin(), x.s.v.end(), y.s.v.begin()));
+  EXPECT_TRUE(std::equal(x.s.u.values.begin(), x.s.u.values.end(), y.s.u.values.begin()));
+  EXPECT_TRUE(std::equal(x.s.v.values.begin(), x.s.v.values.end(), y.s.v.values.begin()));
 }
 
 } // namespace

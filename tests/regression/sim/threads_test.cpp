@@ -68,13 +68,13 @@ TEST(StateHash, tells_states_apart) {
   ASSERT_GT(concrete::count_joints(x.m, x.s).damaged, 0);
   auto const hash = sim::state_hash(x.m, x.s);
   EXPECT_EQ(sim::state_hash(x.m, x.s), hash);
-  double& u = x.s.u[4 * 17 + 1];
+  double& u = x.s.u(17, 1);
   double const kept = u;
   u = std::nextafter(u, 1);
   EXPECT_NE(sim::state_hash(x.m, x.s), hash);
   u = kept;
   EXPECT_EQ(sim::state_hash(x.m, x.s), hash);
-  x.s.v[4 * 3] *= 1 + 1e-15;
+  x.s.v(3, 0) *= 1 + 1e-15;
   EXPECT_NE(sim::state_hash(x.m, x.s), hash);
 }
 

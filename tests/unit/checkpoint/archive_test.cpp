@@ -29,8 +29,8 @@ TEST(Archive, brings_back_every_field) {
     EXPECT_TRUE(again.text == saved.text);
     EXPECT_EQ(t.step, s.step);
     EXPECT_EQ(t.time, s.time);
-    EXPECT_EQ(t.u[7], s.u[7]);
-    EXPECT_EQ(t.v[11], s.v[11]);
+    EXPECT_EQ(t.u(2, 1), s.u(2, 1));
+    EXPECT_EQ(t.v(3, 2), s.v(3, 2));
     EXPECT_EQ(t.joint_status[3], s.joint_status[3]);
     EXPECT_EQ(t.joint_history.lane[5], s.joint_history.lane[5]);
     EXPECT_EQ(t.joint_history.rows[0].of(5).last[1].sliding_2,
@@ -67,7 +67,7 @@ TEST(Archive, refuses_other_lengths) {
   Bytes saved;
   Saver{saved}(testing::state_at_random(1));
   auto t = testing::state_at_random(1);
-  t.u = core::Buffer<double>(t.u.size() + 32);
+  t.u = core::NodeField(t.u.nodes() + 32);
   EXPECT_THROW(Loader(saved.text, "file")(t), core::InputError);
   t = testing::state_at_random(1);
   t.bars.account.pop_back();

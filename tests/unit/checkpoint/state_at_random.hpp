@@ -39,7 +39,7 @@ class Randomizer {
 
 inline state::State state_at_random(unsigned seed) {
   state::State s;
-  s.u = core::Buffer<double>(64), s.v = core::Buffer<double>(64);
+  s.u = core::NodeField(16), s.v = core::NodeField(16);
   s.joint_status = core::Buffer<std::uint8_t>(8);
   s.joint_history = state::JointHistories(8);
   s.joint_rate = core::Buffer<state::JointRate>(8);

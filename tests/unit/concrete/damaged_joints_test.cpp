@@ -101,8 +101,8 @@ TEST(DamagedJoints, tables_made_from_a_state_go_on_alike) {
   ASSERT_GT(box.count(state::JointStatus::released), 0);
   ASSERT_GT(box.count(state::JointStatus::damaged) + box.count(state::JointStatus::broken), 0);
   Box again;
-  std::copy(box.s.u.begin(), box.s.u.end(), again.s.u.begin());
-  std::copy(box.s.v.begin(), box.s.v.end(), again.s.v.begin());
+  std::copy(box.s.u.values.begin(), box.s.u.values.end(), again.s.u.values.begin());
+  std::copy(box.s.v.values.begin(), box.s.v.values.end(), again.s.v.values.begin());
   std::copy(box.s.joint_status.begin(), box.s.joint_status.end(), again.s.joint_status.begin());
   std::copy(box.s.joint_history.lane.begin(), box.s.joint_history.lane.end(),
             again.s.joint_history.lane.begin());
@@ -111,8 +111,8 @@ TEST(DamagedJoints, tables_made_from_a_state_go_on_alike) {
   again.s.step = box.s.step, again.s.time = box.s.time;
   again.w.joints = concrete::make_joint_slots(again.m, again.s);
   for (int i = 0; i < 1000; ++i) box.step(), again.step();
-  EXPECT_TRUE(same_bits(box.s.u, again.s.u));
-  EXPECT_TRUE(same_bits(box.s.v, again.s.v));
+  EXPECT_TRUE(same_bits(box.s.u.values, again.s.u.values));
+  EXPECT_TRUE(same_bits(box.s.v.values, again.s.v.values));
 }
 
 } // namespace

@@ -30,7 +30,7 @@ TEST(TetLaws, each_tet_follows_its_own) {
     paper.m.tets.is_paper[static_cast<std::size_t>(t)] = 1;
     mixed.m.tets.is_paper[static_cast<std::size_t>(t)] = is_paper(t);
   }
-  core::Buffer<double> h, p, x;
+  core::NodeField h, p, x;
   for (char const* name : {"scalar", "v2", ""}) {
     auto const& set = *name ? concrete::kernels(name) : concrete::kernels();
     corner_forces(hyperelastic.m, hyperelastic.s, hyperelastic.w, 0, h, set);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "fissura/core/buffer.hpp"
@@ -108,27 +109,61 @@ TEST(Matrix, obeys_linear_algebra) {
   EXPECT_EQ(unit(Vec3{}), Vec3{});
 }
 
-// Requirement: a pack of nodes loads from scattered nodes and stores to strided ones lane by lane; the pad
-// becomes 0.
-TEST(Pack, loads_and_stores_nodes) {
-  constexpr int n = lanes<Pack>;
-  std::vector<double> nodes(4 * 64), out(16 * n, -1);
-  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<double>(i);
+/// 0, 1, 2, ...
+std::vector<double> counted(std::size_t size) {
+  std::vector<double> all(size);
+  std::iota(all.begin(), all.end(), 0.0);
+  return all;
+}
+
+// Requirement: vectors are loaded from where they lie scattered, lane by lane.
+TEST(Pack, loads_vectors) {
+  auto const nodes = counted(3 * 64 + 1);
   int index[8];
-  for (int i = 0; i < 8; ++i) index[i] = 4 * ((i * 13 + 5) % 64);
-  auto const v = load_nodes<Pack>(nodes.data(), index);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < 8; ++i) index[i] = 3 * ((i * 13 + 5) % 64);
+  auto const v = load_vectors<Pack>(nodes.data(), index);
+  for (int i = 0; i < lanes<Pack>; ++i) {
     EXPECT_EQ(v.x[i], index[i]);
     EXPECT_EQ(v.y[i], index[i] + 1);
     EXPECT_EQ(v.z[i], index[i] + 2);
   }
-  store_nodes<Pack>(out.data(), 16, v);
-  for (int i = 0; i < n; ++i) {
-    EXPECT_EQ(out[16 * i], index[i]);
-    EXPECT_EQ(out[16 * i + 2], index[i] + 2);
-    EXPECT_EQ(out[16 * i + 3], 0);
-    EXPECT_EQ(out[16 * i + 4], -1);
+}
+
+// Requirement: three vectors per lane fill nine numbers each and touch none beside them.
+TEST(Pack, stores_three_vectors) {
+  Vec<Pack> v[3];
+  for (int k = 0; k < 3; ++k)
+    v[k] = {Pack([k](int i) { return 100 * i + 3.0 * k; }),
+            Pack([k](int i) { return 100 * i + 3.0 * k + 1; }),
+            Pack([k](int i) { return 100 * i + 3.0 * k + 2; })};
+  std::vector<double> out(16 * 8, -1);
+  int index[8];
+  for (int i = 0; i < 8; ++i) index[i] = 16 * ((5 * i + 3) % 8) + 2;
+  store_three<Pack>(out.data(), index, v);
+  for (int i = 0; i < lanes<Pack>; ++i) {
+    double const* const own = out.data() + index[i];
+    for (int k = 0; k < 9; ++k) EXPECT_EQ(own[k], 100 * i + k);
+    EXPECT_EQ(own[-1], -1);
+    EXPECT_EQ(own[9], -1);
   }
+}
+
+// Requirement: the nodes of tets that follow each other are loaded corner by corner, and stored where they
+// came from.
+TEST(Pack, loads_and_stores_tets) {
+  constexpr std::size_t n = 12 * lanes<Pack>;
+  auto const tets = counted(n);
+  Vec<Pack> node[4];
+  load_tets<Pack>(tets.data(), node);
+  for (int i = 0; i < lanes<Pack>; ++i)
+    for (int a = 0; a < 4; ++a) {
+      EXPECT_EQ(node[a].x[i], 12 * i + 3 * a);
+      EXPECT_EQ(node[a].y[i], 12 * i + 3 * a + 1);
+      EXPECT_EQ(node[a].z[i], 12 * i + 3 * a + 2);
+    }
+  std::vector<double> out(n, -1);
+  store_tets<Pack>(out.data(), node);
+  EXPECT_EQ(out, tets);
 }
 
 // Requirement: choosing by a mask gives each lane its own branch, for packs and for plain numbers.

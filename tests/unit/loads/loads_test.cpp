@@ -45,10 +45,10 @@ TEST(AppliedForces, act_and_do_work) {
   f.entries = {{0, 1, {0.25, 0, 0}}, {1, 3, {0.75, 0, 0}}};
   c.m.forces = {f};
   applied_forces(c.m, c.s, c.w);
-  EXPECT_DOUBLE_EQ(c.w.overlay.at(0)[4], 25);
-  EXPECT_DOUBLE_EQ(c.w.overlay.at(1)[12], 75);
-  c.s.v[4 * model::node_of(0, 1)] = 2;
-  c.s.v[4 * model::node_of(2, 3)] = 2;
+  EXPECT_DOUBLE_EQ(c.w.overlay.at(0)[3], 25);
+  EXPECT_DOUBLE_EQ(c.w.overlay.at(1)[9], 75);
+  c.s.v(model::node_of(0, 1), 0) = 2;
+  c.s.v(model::node_of(2, 3), 0) = 2;
   EXPECT_NEAR(applied_work(c.m, c.s), 200 * 2e-6, 1e-18);
 }
 
@@ -68,15 +68,14 @@ TEST(MoveSupports, a_support_holds_its_nodes) {
   Cell c;
   c.prescribe("base", 2, {}, true, {3, 8});
   double const dt = c.m.dt, free = -4e-3;
-  for (int const n : {3, 8})
-    c.s.v[4 * n + 2] = free, c.s.u[4 * n + 2] = free * dt; // as the tet pass left them
-  c.s.v[4 * 5 + 2] = 7;
+  for (int const n : {3, 8}) c.s.v(n, 2) = free, c.s.u(n, 2) = free * dt; // as the tet pass left them
+  c.s.v(5, 2) = 7;
   auto const effects = move_supports(c.m, c.s, {});
   for (int const n : {3, 8}) {
-    EXPECT_EQ(c.s.v[4 * n + 2], 0);
-    EXPECT_EQ(c.s.u[4 * n + 2], 0);
+    EXPECT_EQ(c.s.v(n, 2), 0);
+    EXPECT_EQ(c.s.u(n, 2), 0);
   }
-  EXPECT_EQ(c.s.v[4 * 5 + 2], 7);
+  EXPECT_EQ(c.s.v(5, 2), 7);
   EXPECT_NEAR(c.s.reaction[0], (c.m.mass[3] + c.m.mass[8]) * -free / dt, 1e-9 * c.s.reaction[0]);
   EXPECT_EQ(effects.work_done, 0);
   EXPECT_EQ(effects.work_next, 0);
@@ -92,8 +91,8 @@ TEST(MoveSupports, damping_does_not_blur_reactions) {
   c.prescribe("base", 0, {}, true, {0});
   double const dt = c.m.dt,
                a = 300; // held node: v = 0 before, so local damping has no sense and takes nothing
-  c.s.v[0] = dt * a / (1 + 0.5 * 5000 * dt);
-  c.s.u[0] = dt * c.s.v[0];
+  c.s.v(0, 0) = dt * a / (1 + 0.5 * 5000 * dt);
+  c.s.u(0, 0) = dt * c.s.v(0, 0);
   move_supports(c.m, c.s, {});
   EXPECT_NEAR(c.s.reaction[0], -c.m.mass[0] * a, 1e-9 * c.m.mass[0] * a);
 }
@@ -108,16 +107,16 @@ TEST(MoveSupports, motions_are_met) {
   c.prescribe("spin", 1, constant(0.5), true, {2});
   for (int i = 0; i < 20; ++i) {
     for (int const n : {0, 1, 2}) // a free step with some velocity of its own
-      for (int r = 0; r < 3; ++r) c.s.v[4 * n + r] += 1e-3, c.s.u[4 * n + r] += c.m.dt * c.s.v[4 * n + r];
+      for (int r = 0; r < 3; ++r) c.s.v(n, r) += 1e-3, c.s.u(n, r) += c.m.dt * c.s.v(n, r);
     move_supports(c.m, c.s, {});
     c.s.step += 1;
     c.s.time = static_cast<double>(c.s.step) * c.m.dt;
-    EXPECT_NEAR(c.s.u[0], value_at(c.m.prescribed[0].motion, c.s, c.s.time), 1e-15);
-    EXPECT_NEAR(c.s.u[4], c.s.u[0], 1e-18);
-    EXPECT_EQ(c.s.v[4 * 2 + 1], 0.5);
-    EXPECT_NEAR(c.s.u[4 * 2 + 1], 0.5 * c.s.time, 1e-15);
+    EXPECT_NEAR(c.s.u(0, 0), value_at(c.m.prescribed[0].motion, c.s, c.s.time), 1e-15);
+    EXPECT_NEAR(c.s.u(1, 0), c.s.u(0, 0), 1e-18);
+    EXPECT_EQ(c.s.v(2, 1), 0.5);
+    EXPECT_NEAR(c.s.u(2, 1), 0.5 * c.s.time, 1e-15);
   }
-  EXPECT_NEAR(c.s.u[0], 1e-3, 1e-15);
+  EXPECT_NEAR(c.s.u(0, 0), 1e-3, 1e-15);
 }
 
 // Requirement: where a motion begins on moving nodes they lose their speed along it at once, once, and the
@@ -126,14 +125,14 @@ TEST(MoveSupports, a_late_start_is_an_impact) {
   Cell c;
   c.prescribe("catch", 1, constant(0), true, {2, 7});
   c.m.prescribed[0].motion.stage = 1;
-  for (int const n : {2, 7}) c.s.v[4 * n + 1] = 3, c.s.v[4 * n] = 5;
+  for (int const n : {2, 7}) c.s.v(n, 1) = 3, c.s.v(n, 0) = 5;
   EXPECT_EQ(take_hold(c.m, c.s), 0);
-  EXPECT_EQ(c.s.v[4 * 2 + 1], 3);
+  EXPECT_EQ(c.s.v(2, 1), 3);
   c.s.stage = 1;
   EXPECT_NEAR(take_hold(c.m, c.s), -0.5 * (c.m.mass[2] + c.m.mass[7]) * 9, 1e-12);
-  EXPECT_EQ(c.s.v[4 * 2 + 1], 0);
-  EXPECT_EQ(c.s.v[4 * 2], 5);
-  c.s.v[4 * 2 + 1] = 3;
+  EXPECT_EQ(c.s.v(2, 1), 0);
+  EXPECT_EQ(c.s.v(2, 0), 5);
+  c.s.v(2, 1) = 3;
   EXPECT_EQ(take_hold(c.m, c.s), 0);
 }
 
@@ -143,7 +142,7 @@ TEST(MoveSupports, work_is_reaction_times_way) {
   Cell c;
   c.prescribe("push", 0, constant(2), true, {0});
   c.s.prescribed_velocity[0] = 2;
-  c.s.v[0] = 2 - 1e-3;
+  c.s.v(0, 0) = 2 - 1e-3;
   auto const e = move_supports(c.m, c.s, {});
   double const reaction = c.m.mass[0] * 1e-3 / c.m.dt;
   EXPECT_NEAR(c.s.reaction[0], reaction, 1e-9 * reaction);

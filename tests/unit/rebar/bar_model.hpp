@@ -40,19 +40,19 @@ struct BarModel {
   /// Moves every corner of every tet to X + displacement(tet, X), computes the forces, and adds the work done
   /// over the way there, by the trapezoidal rule, to `work`.
   void move(std::function<Vec3(int, Vec3)> const& displacement) {
-    std::vector<double> const u_before(s.u.begin(), s.u.end());
+    std::vector<double> const u_before(s.u.values.begin(), s.u.values.end());
     auto const force_before = w.overlay.force;
     for (int t = 0; t < static_cast<int>(m.mesh.tets.size()); ++t)
       for (int c = 0; c < 4; ++c) {
         Vec3 const u = displacement(t, corners(m.mesh, t)[c]);
-        for (int r = 0; r < 3; ++r) s.u[4 * (4 * t + c) + r] = u[r];
+        for (int r = 0; r < 3; ++r) s.u(4 * t + c, r) = u[r];
       }
     forces();
     for (std::size_t slot = 0; slot < w.overlay.tets.size(); ++slot)
-      for (std::size_t k = 0; k < 16; ++k) {
-        std::size_t const dof = 16 * static_cast<std::size_t>(w.overlay.tets[slot]) + k;
-        work -=
-            0.5 * (force_before[16 * slot + k] + w.overlay.force[16 * slot + k]) * (s.u[dof] - u_before[dof]);
+      for (std::size_t k = 0; k < 12; ++k) {
+        std::size_t const dof = 12 * static_cast<std::size_t>(w.overlay.tets[slot]) + k;
+        work -= 0.5 * (force_before[12 * slot + k] + w.overlay.force[12 * slot + k]) *
+                (s.u.values[dof] - u_before[dof]);
       }
   }
 
@@ -74,10 +74,10 @@ struct BarModel {
     for (std::size_t slot = 0; slot < w.overlay.tets.size(); ++slot)
       for (int c = 0; c < 4; ++c) {
         int const node = 4 * w.overlay.tets[slot] + c;
-        double const* f = w.overlay.at(static_cast<int>(slot)) + 4 * c;
+        double const* f = w.overlay.at(static_cast<int>(slot)) + 3 * c;
         Vec3 const force{f[0], f[1], f[2]};
         Vec3 x = corners(m.mesh, w.overlay.tets[slot])[c];
-        x += Vec3{s.u[4 * node], s.u[4 * node + 1], s.u[4 * node + 2]};
+        x += s.u.at(node);
         r.force += force;
         r.moment += cross(x, force);
         r.size += norm(force);
@@ -109,11 +109,11 @@ struct BarModel {
   }
 
   void place_nodes() {
-    m.position = core::Buffer<double>(16 * m.mesh.tets.size());
-    s.u = core::Buffer<double>(16 * m.mesh.tets.size());
+    m.position = core::NodeField(4 * m.mesh.tets.size());
+    s.u = core::NodeField(4 * m.mesh.tets.size());
     for (int t = 0; t < static_cast<int>(m.mesh.tets.size()); ++t)
       for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 3; ++r) m.position[4 * (4 * t + c) + r] = corners(m.mesh, t)[c][r];
+        for (int r = 0; r < 3; ++r) m.position(4 * t + c, r) = corners(m.mesh, t)[c][r];
   }
 };
 

@@ -100,7 +100,7 @@ TEST(BarForces, ForcesTurnWithTheStructure) {
   b.move([&](int t, Vec3 x) { return turn * (x + opened(t, x)) - x; });
   double const size = b.resultant().size;
   ASSERT_GT(b.s.bars.dowel_force[0], 1);
-  for (std::size_t i = 0; i < before.size(); i += 4) {
+  for (std::size_t i = 0; i < before.size(); i += 3) {
     Vec3 const expected = turn * Vec3{before[i], before[i + 1], before[i + 2]};
     Vec3 const got{b.w.overlay.force[i], b.w.overlay.force[i + 1], b.w.overlay.force[i + 2]};
     EXPECT_LT(norm(got - expected), 1e-9 * size);
@@ -213,7 +213,7 @@ TEST(BarForces, InitialStrainActsFromTheStart) {
   double left = 0, right = 0;
   for (std::size_t slot = 0; slot < b.w.overlay.tets.size(); ++slot)
     for (int c = 0; c < 4; ++c)
-      (slot < b.w.overlay.tets.size() / 2 ? left : right) += b.w.overlay.at(static_cast<int>(slot))[4 * c];
+      (slot < b.w.overlay.tets.size() / 2 ? left : right) += b.w.overlay.at(static_cast<int>(slot))[3 * c];
   EXPECT_NEAR(left + right, 0, 1e-6);
 }
 
@@ -236,10 +236,10 @@ TEST(BarForces, SameBitsOnAnyNumberOfThreads) {
 /// Largest eigenvalue of D^-1 K by power iteration; K applied by central differences of the bar forces, each
 /// from the state `start`.
 double largest_eigenvalue(BarModel& b, state::BarState const& start, std::vector<double> const& diagonal) {
-  std::size_t const n = b.s.u.size();
+  std::size_t const n = b.s.u.values.size();
   support::Random random(7);
   std::vector<double> x(n), y(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = i % 4 < 3 && diagonal[i / 4] > 0 ? random.uniform(-1, 1) : 0;
+  for (std::size_t i = 0; i < n; ++i) x[i] = diagonal[i / 3] > 0 ? random.uniform(-1, 1) : 0;
   double eigenvalue = 0;
   for (int iteration = 0; iteration < 200; ++iteration) {
     std::fill(y.begin(), y.end(), 0.0);
@@ -247,20 +247,20 @@ double largest_eigenvalue(BarModel& b, state::BarState const& start, std::vector
     for (double v : x) size = std::max(size, std::abs(v));
     for (double sign : {1.0, -1.0}) {
       double const step = sign * 1e-10 / size;
-      for (std::size_t i = 0; i < n; ++i) b.s.u[i] = step * x[i];
+      for (std::size_t i = 0; i < n; ++i) b.s.u.values[i] = step * x[i];
       b.s.bars = start;
       b.forces();
       for (std::size_t slot = 0; slot < b.w.overlay.tets.size(); ++slot)
-        for (std::size_t k = 0; k < 16; ++k)
-          y[16 * static_cast<std::size_t>(b.w.overlay.tets[slot]) + k] -=
-              b.w.overlay.force[16 * slot + k] / (2 * step);
+        for (std::size_t k = 0; k < 12; ++k)
+          y[12 * static_cast<std::size_t>(b.w.overlay.tets[slot]) + k] -=
+              b.w.overlay.force[12 * slot + k] / (2 * step);
     }
     double xy = 0, xx = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      if (diagonal[i / 4] <= 0) continue;
+      if (diagonal[i / 3] <= 0) continue;
       xy += x[i] * y[i];
-      xx += x[i] * x[i] * diagonal[i / 4];
-      y[i] /= diagonal[i / 4];
+      xx += x[i] * x[i] * diagonal[i / 3];
+      y[i] /= diagonal[i / 3];
     }
     eigenvalue = xy / xx;
     x = y;

@@ -76,8 +76,8 @@ TEST(Fragments, add_up_to_the_model) {
   Stepper x(c);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
-  for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(node_count(x.m)); ++i)
-    x.s.v[i] = i % 4 < 3 ? number(random) : 0;
+  for (int n = 0; n < node_count(x.m); ++n)
+    for (int r = 0; r < 3; ++r) x.s.v(n, r) = number(random);
   for (double const share : {0.0, 0.3, 0.7, 0.9, 1.0}) {
     for (int j = 0; j < x.m.joint_count(); ++j)
       set_status(x, j, (number(random) + 1) / 2 < share ? JointStatus::broken : JointStatus::intact);

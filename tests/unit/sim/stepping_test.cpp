@@ -96,7 +96,7 @@ TEST(Stepping, changes_to_a_displacement) {
   while (run.step()) {
   }
   auto const& p = run.model().prescribed.back();
-  EXPECT_NEAR(run.state().u[4 * static_cast<std::size_t>(p.nodes[0])], 1e-4, 1e-12);
+  EXPECT_NEAR(run.state().u(p.nodes[0], 0), 1e-4, 1e-12);
 }
 
 // Requirement: what is no load, or not the load's own key, is refused with the cure.

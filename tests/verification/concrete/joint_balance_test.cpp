@@ -10,7 +10,7 @@ struct Shaken {
   model::Model m;
   state::State s;
   state::Scratch w;
-  core::Buffer<double> f;
+  core::NodeField f;
 
   /// Random displacements of every node up to `size` [m].
   Shaken(model::ConcreteSpec const& concrete, double size)
@@ -23,11 +23,11 @@ struct Shaken {
     corner_forces(m, s, w, 0, f);
   }
   /// The joints' part alone: all forces less those of the same tets without joint forces.
-  core::Buffer<double> joint_part() {
+  core::NodeField joint_part() {
     auto const empty = concrete_scratch(m);
-    core::Buffer<double> tets, rest(f.size());
+    core::NodeField tets, rest(f.nodes());
     corner_forces(m, s, empty, 0, tets);
-    for (std::size_t i = 0; i < f.size(); ++i) rest[i] = f[i] - tets[i];
+    for (std::size_t i = 0; i < f.values.size(); ++i) rest.values[i] = f.values[i] - tets.values[i];
     return rest;
   }
 };
@@ -89,7 +89,8 @@ TEST(JointBalance, an_evenly_opened_joint_carries_stress_times_area) {
     double const force = at_middle ? concrete.f_t * (2 * r - r * r) * joint.area / 3 : 0; // Eq. 13
     opened += at_middle;
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(std::abs(w.joints.force[12 * j + 4 * k]), force, 1e-12 * concrete.f_t * joint.area);
+      EXPECT_NEAR(std::abs(w.joints.force[w.joints.side_a(j) + 3 * k]), force,
+                  1e-12 * concrete.f_t * joint.area);
   }
   EXPECT_EQ(opened, 2);
 }

@@ -50,13 +50,13 @@ TEST(Patch, constant_strain_gives_the_exact_stress) {
 // there.
 TEST(Patch, interior_points_are_in_balance) {
   Patch p(4);
-  core::Buffer<double> f;
+  core::NodeField f;
   corner_forces(p.m, p.s, p.w, 0, f);
   std::vector<char> outer(p.m.mesh.points.size(), 0);
   for (auto const& b : p.m.adjacency.boundary)
     for (int const c : mesh::face_corners[b.face]) outer[p.m.mesh.tets[b.tet][c]] = 1;
   double scale = 0;
-  for (double const x : f) scale = std::max(scale, std::abs(x));
+  for (double const x : f.values) scale = std::max(scale, std::abs(x));
   auto const sum = sum_at_points(p.m, f);
   int inner = 0;
   for (std::size_t i = 0; i < sum.size(); ++i) {
@@ -89,18 +89,18 @@ TEST(Patch, a_step_moves_only_the_surface) {
 // Requirement: forces are the negative gradient of the stored energy, to the accuracy of central differences.
 TEST(Patch, forces_are_the_gradient_of_the_energy) {
   Patch p(6);
-  core::Buffer<double> f;
+  core::NodeField f;
   corner_forces(p.m, p.s, p.w, 0, f);
   for (int n = 0; n < 40; n += 7)
     for (int r = 0; r < 3; ++r) {
-      double& u = p.s.u[4 * n + r];
+      double& u = p.s.u(n, r);
       double const u0 = u, h = 1e-6;
       u = u0 + h;
       double const up = concrete::strain_energy(p.m, p.s);
       u = u0 - h;
       double const down = concrete::strain_energy(p.m, p.s);
       u = u0;
-      EXPECT_NEAR(f[4 * n + r], -(up - down) / (2 * h), 1e-5 * norm(at_node(f, n)));
+      EXPECT_NEAR(f(n, r), -(up - down) / (2 * h), 1e-5 * norm(at_node(f, n)));
     }
 }
 

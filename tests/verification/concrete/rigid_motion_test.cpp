@@ -32,17 +32,17 @@ TEST_P(Turning, causes_no_stress_and_no_force) {
   auto s = concrete_state(m);
   auto w = concrete_scratch(m);
   double stress = 0, force = 0, strain_energy = 0;
-  core::Buffer<double> f;
+  core::NodeField f;
   for (int degrees = 0; degrees <= 360; degrees += 5) {
     turn(m, s, {1, -2, 0.5}, degrees * two_pi / 360);
     for (int t = 0; t < m.tet_count(); ++t)
       for (double const x : concrete::tet_stress(m, s, t)) stress = std::max(stress, std::abs(x));
     for (char const* name : {"scalar", "v2"}) {
       corner_forces(m, s, w, 0, f, concrete::kernels(name));
-      force = std::max(force, largest_force(f));
+      force = std::max(force, largest_force(f.values));
     }
     corner_forces(m, s, w, 0, f);
-    force = std::max(force, largest_force(f));
+    force = std::max(force, largest_force(f.values));
     strain_energy = std::max(strain_energy, std::abs(concrete::strain_energy(m, s)));
   }
   EXPECT_LE(stress, 1e-10 * concrete.E);
@@ -76,14 +76,14 @@ TEST(RigidMotion, rigid_spin_dissipates_nothing) {
   auto const m = concrete_model(random_box_mesh(5, {2, 2, 2}, {0.2, 0.2, 0.2}), concrete);
   auto s = concrete_state(m);
   auto w = concrete_scratch(m);
-  core::Buffer<double> f;
+  core::NodeField f;
   Vec3 const spin{30, -20, 50};
   double const dt = 1e-6, of_shear = concrete.mu_bar * dot(spin, spin) * 0.2 * 0.2 * 0.2 * dt;
   for (int degrees = 0; degrees < 360; degrees += 30) {
     turn(m, s, spin, degrees * two_pi / 360);
     for (int n = 0; n < node_count(m); ++n) set_node(s.v, n, cross(spin, position(m, n) + at_node(s.u, n)));
     EXPECT_LE(std::abs(corner_forces(m, s, w, dt, f)), 1e-12 * of_shear) << degrees;
-    EXPECT_LE(largest_force(f), 1e-10 * concrete.E * 0.01);
+    EXPECT_LE(largest_force(f.values), 1e-10 * concrete.E * 0.01);
   }
 }
 
@@ -95,7 +95,7 @@ TEST(RigidMotion, stretching_dissipates_as_eq_8_says) {
   auto const m = concrete_model(random_box_mesh(6, {2, 2, 2}, {0.2, 0.2, 0.2}), concrete);
   auto s = concrete_state(m);
   auto w = concrete_scratch(m);
-  core::Buffer<double> f;
+  core::NodeField f;
   set_field(m, s.v, [](Vec3 X) { return Vec3{0.5 * X.x, 0, 0}; });
   double const dt = 1e-6;
   EXPECT_NEAR(corner_forces(m, s, w, dt, f), concrete.mu_bar * 0.25 * 0.008 * dt,

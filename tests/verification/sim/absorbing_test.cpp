@@ -111,7 +111,7 @@ TEST(Absorbing, does_not_change_the_stable_step) {
   Stepper x(c);
   EXPECT_EQ(x.m.dt, bare.m.dt);
   std::uint64_t seed = 1;
-  for (double& v : x.s.v)
+  for (double& v : x.s.v.values)
     seed = seed * 6364136223846793005u + 1442695040888963407u, v = 1e-3 * (seed >> 40) / 16777216.0;
   double const start = x.read().held();
   x.advance(3000);

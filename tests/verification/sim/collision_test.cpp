@@ -87,7 +87,7 @@ TEST(Collision, is_the_same_on_any_number_of_threads) {
     parallel::Threads const guard(threads);
     Collision c({0, 0.02, 0.03}, {-1, 0.6, 0}, false, 0.5);
     c.t.advance(static_cast<long>(4e-3 / c.t.m.dt));
-    std::vector<double> u(c.t.s.u.begin(), c.t.s.u.end());
+    std::vector<double> u(c.t.s.u.values.begin(), c.t.s.u.values.end());
     if (reference.empty()) reference = u;
     EXPECT_EQ(u, reference) << threads;
     EXPECT_GT(c.t.s.contact.pairs.size(), 0u);

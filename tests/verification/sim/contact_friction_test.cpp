@@ -32,7 +32,7 @@ struct OnBase {
     for (int tet = 0; tet < t.m.tet_count(); ++tet) {
       if (t.m.mesh.tet_group[tet] != 1) continue;
       for (int c = 0; c < 4; ++c, ++count)
-        for (int r = 0; r < 3; ++r) sum[r] += t.s.u[4 * static_cast<std::size_t>(model::node_of(tet, c)) + r];
+        for (int r = 0; r < 3; ++r) sum[r] += t.s.u(model::node_of(tet, c), r);
     }
     return sum / count;
   }
@@ -46,7 +46,7 @@ TEST(Friction, stops_a_sliding_block) {
   Vec3 const start = b.mean_displacement();
   for (int tet = 0; tet < b.t.m.tet_count(); ++tet)
     if (b.t.m.mesh.tet_group[tet] == 1)
-      for (int c = 0; c < 4; ++c) b.t.s.v[4 * static_cast<std::size_t>(model::node_of(tet, c))] += v;
+      for (int c = 0; c < 4; ++c) b.t.s.v(model::node_of(tet, c), 0) += v;
   b.t.advance(static_cast<long>(0.35 / b.t.m.dt));
   EXPECT_NEAR(b.mean_displacement().x - start.x, v * v / (2 * mu * g), 0.01 * v * v / (2 * mu * g));
   EXPECT_LT(norm(motion_of(b.t, 1).momentum), 0.01 * 2.5 * v) << "it has come to rest";

@@ -80,13 +80,13 @@ struct Pair {
     auto const& joint = m.joints.joints[0];
     bool const own = status() != state::JointStatus::intact;
     for (int k = 0; k < 3; ++k) {
-      double const* const f = w.joints.force.data() + (own ? w.joints.side_b(0) : 0) + 4 * k;
+      double const* const f = w.joints.force.data() + (own ? w.joints.side_b(0) : 0) + 3 * k;
       on_b[joint.node_b[k] % 4] += (own ? 1 : -1) * Vec3{f[0], f[1], f[2]};
     }
     EXPECT_EQ(face.b.tet, 1);
     if (int const slot = w.overlay.slot_of_tet[1]; slot >= 0)
       for (int c = 0; c < 4; ++c) {
-        double const* const f = w.overlay.at(slot) + 4 * c;
+        double const* const f = w.overlay.at(slot) + 3 * c;
         on_b[c] += Vec3{f[0], f[1], f[2]};
       }
     force = {};

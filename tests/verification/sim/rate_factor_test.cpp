@@ -32,7 +32,7 @@ Pull pull(model::RateFactor factor, double rate, double noise = 0) {
   for (int n = 0; n < node_count(x.m) && noise > 0; ++n)
     for (int r = 0; r < 3; ++r)
       seed = seed * 6364136223846793005u + 1442695040888963407u,
-      x.s.v[4 * n + r] += noise * (static_cast<double>(seed >> 40) / 8388608.0 - 1);
+      x.s.v(n, r) += noise * (static_cast<double>(seed >> 40) / 8388608.0 - 1);
   x.s.prescribed_velocity.back() = rate * length;
   x.s.held.assign(x.s.held.size(), 1);
   Pull p;

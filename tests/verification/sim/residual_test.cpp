@@ -45,7 +45,7 @@ void add_kinetic(Stepper& x, double energy) {
   for (int n = 0; n < node_count(x.m); ++n)
     kinetic += 0.5 * x.m.mass[n] * dot(at_node(x.s.v, n), at_node(x.s.v, n));
   double const factor = std::sqrt(std::max(0.0, 1 + energy / kinetic));
-  for (double& v : x.s.v) v *= factor;
+  for (double& v : x.s.v.values) v *= factor;
 }
 
 // Requirement: a cracking tie leaves a residual of at most 0.5 %, no warning and no stop.

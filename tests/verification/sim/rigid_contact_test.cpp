@@ -35,7 +35,7 @@ model::InitialVelocitySpec thrown(Vec3 velocity) {
 Vec3 momentum(Stepper const& x) {
   Vec3 p;
   for (std::size_t n = 0; n < 4 * static_cast<std::size_t>(x.m.tets.count); ++n)
-    p += x.m.mass[n] * Vec3{x.s.v[4 * n], x.s.v[4 * n + 1], x.s.v[4 * n + 2]};
+    p += x.m.mass[n] * x.s.v.at(n);
   for (std::size_t i = 0; i < x.m.rigid.size(); ++i) p += x.m.rigid[i].mass * x.s.rigid.body[i].v;
   return p;
 }
@@ -55,7 +55,7 @@ Vec3 middle(Stepper const& x) {
   Vec3 sum;
   double mass = 0;
   for (std::size_t n = 0; n < 4 * static_cast<std::size_t>(x.m.tets.count); ++n) {
-    sum += x.m.mass[n] * Vec3{x.s.u[4 * n], x.s.u[4 * n + 1], x.s.u[4 * n + 2]};
+    sum += x.m.mass[n] * x.s.u.at(n);
     mass += x.m.mass[n];
   }
   return sum / mass;
@@ -238,11 +238,8 @@ TEST(RigidContact, nothing_of_a_crushed_block_sinks_in) {
   double deepest = 0;
   while (x.s.time < 1e-3) {
     x.advance(20);
-    for (std::size_t i = 0; i < 16 * static_cast<std::size_t>(x.m.tets.count); i += 4) {
-      Vec3 const at{x.m.position[i] + x.s.u[i], x.m.position[i + 1] + x.s.u[i + 1],
-                    x.m.position[i + 2] + x.s.u[i + 2]};
-      deepest = std::max(deepest, -dot(at - x.m.rigid[0].centre, n));
-    }
+    for (int i = 0; i < 4 * x.m.tets.count; ++i)
+      deepest = std::max(deepest, -dot(x.m.position.at(i) + x.s.u.at(i) - x.m.rigid[0].centre, n));
   }
   std::printf("deepest %.2f mm\n", 1e3 * deepest);
   EXPECT_LE(deepest, cell / 30);

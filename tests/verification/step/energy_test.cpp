@@ -121,7 +121,7 @@ TEST(Energy, free_fall) {
   EXPECT_NEAR(e.work_gravity, b.m.total_mass * 9.81 * 9.81 * b.m.dt * b.m.dt * 1999 * 2000 / 2,
               1e-9 * e.kinetic);
   EXPECT_LE(e.internal(), 1e-9 * e.kinetic);
-  EXPECT_NEAR(b.s.v[2], -9.81 * 2000 * b.m.dt, 1e-9 * 9.81 * 2000 * b.m.dt);
+  EXPECT_NEAR(b.s.v(0, 2), -9.81 * 2000 * b.m.dt, 1e-9 * 9.81 * 2000 * b.m.dt);
 }
 
 // Requirement: under mass scaling gravity acts on the real mass: a body ten times as heavy falls ten times as
@@ -137,7 +137,7 @@ TEST(Energy, free_fall_with_mass_scaling_closes_the_ledger) {
   for (int i = 0; i < 999; ++i) b.advance();
   auto const& e = b.read();
   EXPECT_NEAR(e.kinetic, e.work_gravity, 1e-6 * e.kinetic);
-  EXPECT_NEAR(b.s.v[2], -0.981 * 1000 * b.m.dt, 1e-9);
+  EXPECT_NEAR(b.s.v(0, 2), -0.981 * 1000 * b.m.dt, 1e-9);
 }
 
 // Requirement: mass-proportional damping slows a free block as exp(-c t), and its account holds what was
@@ -153,8 +153,8 @@ TEST(Energy, mass_damping_decays_exponentially) {
   auto const& e = b.read();
   double const exact = std::exp(-c * steps * b.m.dt);
   EXPECT_LT(exact, 0.5);
-  EXPECT_NEAR(b.s.v[0], exact, 1e-4 * exact);
-  EXPECT_NEAR(b.s.v[1], -2 * exact, 2e-4 * exact);
+  EXPECT_NEAR(b.s.v(0, 0), exact, 1e-4 * exact);
+  EXPECT_NEAR(b.s.v(0, 1), -2 * exact, 2e-4 * exact);
   EXPECT_NEAR(e.mass_damping, start - e.held(), 1e-5 * start);
 }
 

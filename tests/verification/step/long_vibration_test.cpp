@@ -23,12 +23,12 @@ long steps_wanted() {
 /// So H itself creeps by (omega dt)^2/24 of whatever energy wanders from slow modes to fast ones, and comes
 /// to rest once all have their share.
 double read(model::Model const& m, state::State& s, state::Scratch& w, double start) {
-  std::vector<double> const before(s.v.begin(), s.v.end());
+  std::vector<double> const before(s.v.values.begin(), s.v.values.end());
   step::EnergyBalance e;
   step::advance(m, s, w, &e);
   double lag = 0;
   for (int n = 0; n < node_count(m); ++n) {
-    Vec3 const dv = at_node(s.v, n) - Vec3{before[4 * n], before[4 * n + 1], before[4 * n + 2]};
+    Vec3 const dv = at_node(s.v, n) - Vec3{before[3 * n], before[3 * n + 1], before[3 * n + 2]};
     lag += m.mass[n] * dot(dv, dv) / 24;
   }
   double const held = e.held() + lag;
