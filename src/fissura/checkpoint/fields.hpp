@@ -36,10 +36,10 @@ template <> inline constexpr bool grows<state::RigidTouch> = true;
 FISSURA_FIELDS(Vec3, x, y, z)
 FISSURA_FIELDS(core::NodeField, values)
 
-FISSURA_FIELDS(laws::CohesiveHistory, kappa, z, f_s, slip_1, slip_2)
+FISSURA_FIELDS(laws::CohesiveHistory, kappa, z, f_s, slid_1, slid_2)
 FISSURA_FIELDS(laws::Separation, opening, sliding_1, sliding_2)
 FISSURA_FIELDS(laws::Dissipation, mode_I, mode_II, friction)
-FISSURA_FIELDS(state::JointHistory, point, last, dissipated, handed_over, farthest, time_of_failure)
+FISSURA_FIELDS(state::JointHistory, point, last, dissipated, handed_over, farthest_squared, time_of_failure)
 FISSURA_FIELDS(state::HistoryRows, row)
 FISSURA_FIELDS(state::JointHistories, lane, rows)
 FISSURA_FIELDS(state::JointRate, sum, weight, last_step, excess, frozen)
@@ -55,11 +55,11 @@ FISSURA_FIELDS(laws::DowelHistory, DI, softening, V_max, strength)
 FISSURA_FIELDS(laws::BarJointHistory, activated, yielded, ruptured, S_0, t_0, stored_0, bond, steel, dowel, S,
                t_s, sigma, V_s, strain)
 FISSURA_FIELDS(state::BarJointAccount, bond_steel, dowel, rupture)
-FISSURA_FIELDS(state::BarJointMotion, axial, slip, t_1, t_2, held)
+FISSURA_FIELDS(state::BarJointMotion, axial, slip_from_start, t_1, t_2, held)
 FISSURA_FIELDS(state::BarState, elongation, element_stress, history, motion, account, joint_stress,
                joint_strain, slip, normalised_slip, dowel_force)
 
-FISSURA_FIELDS(state::ContactPair, a, b, start, stiffness, stretch)
+FISSURA_FIELDS(state::ContactPair, a, b, energy_at_start, stiffness, stretch)
 FISSURA_FIELDS(state::ContactState, pairs, stored, travel, skin, is_due)
 FISSURA_FIELDS(state::RigidTouch, tet, face, point, body, offset, stretch)
 FISSURA_FIELDS(state::RigidState::Body, u, v, force, impulse)

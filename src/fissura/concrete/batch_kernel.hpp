@@ -15,7 +15,7 @@ using state::JointBatch;
 /// A pack of lanes of a HistoryRows. Where faces merely open and close, most rows stay what they are: writing
 /// them costs more than looking.
 template <class V> struct PackHistory {
-  static constexpr int before = 15, lost = 24, handed_over = 27, farthest = 28;
+  static constexpr int before = 15, lost = 24, handed_over = 27, farthest_squared = 28;
   static constexpr int accounts = lost; ///< from here on the law does not ask
 
   state::HistoryRows& rows;
@@ -37,10 +37,10 @@ template <class V> struct PackHistory {
   void renew_point(int q, laws::HistoryPack<V> const& was, laws::HistoryPack<V> const& is) const {
     // Not `!=`: what is no number has changed too.
     auto const is_same = is.kappa == was.kappa && is.z == was.z && is.f_s == was.f_s &&
-                         is.slip_1 == was.slip_1 && is.slip_2 == was.slip_2;
+                         is.slid_1 == was.slid_1 && is.slid_2 == was.slid_2;
     if (!core::any(!is_same)) return;
     int const r = 5 * q;
-    put(r, is.kappa), put(r + 1, is.z), put(r + 2, is.f_s), put(r + 3, is.slip_1), put(r + 4, is.slip_2);
+    put(r, is.kappa), put(r + 1, is.z), put(r + 2, is.f_s), put(r + 3, is.slid_1), put(r + 4, is.slid_2);
   }
   laws::SeparationPack<V> separation(int q) const {
     int const r = before + 3 * q;
@@ -63,7 +63,7 @@ template <class V> struct PackHistory {
 static_assert(offsetof(state::JointHistory, last) == 15 * sizeof(double));
 static_assert(offsetof(state::JointHistory, dissipated) == 24 * sizeof(double));
 static_assert(offsetof(state::JointHistory, handed_over) == 27 * sizeof(double));
-static_assert(offsetof(state::JointHistory, farthest) == 28 * sizeof(double));
+static_assert(offsetof(state::JointHistory, farthest_squared) == 28 * sizeof(double));
 
 /// One pack out of a batch.
 template <class V> struct BatchPack {
@@ -128,7 +128,7 @@ template <class V> struct BatchPack {
     V const kept = one - history.get(history.handed_over);
     Vec<V> traction[3];
     laws::DissipationPack<V> lost{zero, zero, zero};
-    V most = zero, least = one, farthest = zero;
+    V most = zero, least = one, farthest_squared = zero;
     for (int q = 0; q < 3; ++q) {
       auto const was = history.point(q);
       auto h = was;
@@ -138,12 +138,12 @@ template <class V> struct BatchPack {
       history.set_separation(q, now);
       traction[q] = (kept * t.sigma) * f.normal + (kept * t.tau_1) * f.axis_1 + (kept * t.tau_2) * f.axis_2;
       most = core::larger(most, h.kappa), least = core::smaller(least, h.kappa);
-      farthest = core::larger(farthest, core::dot(f.jump[q], f.jump[q]));
+      farthest_squared = core::larger(farthest_squared, core::dot(f.jump[q], f.jump[q]));
     }
     history.add_lost(V(2.0) * weight, kept, lost);
-    history.put(history.farthest, farthest);
+    history.put(history.farthest_squared, farthest_squared);
     auto const is_damaged = most > zero || broken > zero;
-    note(core::choose(is_damaged, one, zero), core::choose(least >= one, one, zero), farthest);
+    note(core::choose(is_damaged, one, zero), core::choose(least >= one, one, zero), farthest_squared);
 
     // Half of each point's share (area/3) to each node of its edge.
     Vec<V> force[3];
@@ -151,10 +151,10 @@ template <class V> struct BatchPack {
     balance(f, force, core::choose(is_damaged, one, zero));
   }
 
-  void note(V damaged, V failed, V farthest) const {
+  void note(V damaged, V failed, V farthest_squared) const {
     constexpr double far_per_weight = 6 * least_parting(1); // the weight is area/6
     if (core::any(damaged > row(batch.damaged) || failed > row(batch.failed) ||
-                  farthest >= V(far_per_weight) * row(batch.weight)))
+                  farthest_squared >= V(far_per_weight) * row(batch.weight)))
       batch.has_event = true;
     put(batch.damaged, damaged), put(batch.failed, failed);
   }

@@ -23,7 +23,7 @@ bool is_settled(Model const& m, State const& s, int joint) {
   auto const j = static_cast<std::size_t>(joint);
   auto const status = state::status_of(s, joint);
   return (status == JointStatus::damaged || status == JointStatus::broken) &&
-         s.joint_history.of(j).farthest < least_parting(m.joints.joints[joint].area) &&
+         s.joint_history.of(j).farthest_squared < least_parting(m.joints.joints[joint].area) &&
          (s.joint_rate.empty() || s.joint_rate[j].frozen);
 }
 
@@ -31,7 +31,7 @@ bool is_settled(Model const& m, State const& s, int joint) {
 void care_for(JointLanes const& lanes, int lane) {
   auto& [m, s, slots, group] = lanes;
   int const joint = lanes.joint(lane);
-  if (s.joint_history.of(static_cast<std::size_t>(joint)).farthest >=
+  if (s.joint_history.of(static_cast<std::size_t>(joint)).farthest_squared >=
       least_parting(m.joints.joints[joint].area)) {
     auto const now = joint_kinematics(m, s, joint);
     state::status_of(s, joint) == JointStatus::damaged ? break_at_hinge(m, s, joint, now)

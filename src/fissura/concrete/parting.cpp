@@ -26,9 +26,9 @@ double face_size(model::Joint const& joint) {
 /// Cosine of the angle between the faces of the two sides; 1 where no node pair is far enough apart for 30
 /// degrees to be possible.
 double faces_turned(model::Joint const& joint, JointKinematics const& k) {
-  double farthest = 0;
-  for (Vec3 const d : k.jump) farthest = std::max(farthest, dot(d, d));
-  if (farthest < least_parting(joint.area)) return 1;
+  double farthest_squared = 0;
+  for (Vec3 const d : k.jump) farthest_squared = std::max(farthest_squared, dot(d, d));
+  if (farthest_squared < least_parting(joint.area)) return 1;
   auto normal = [&](double side) {
     Vec3 const a = k.mid[0] + side * k.jump[0];
     return unit(cross(k.mid[1] + side * k.jump[1] - a, k.mid[2] + side * k.jump[2] - a));

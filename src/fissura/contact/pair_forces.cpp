@@ -45,9 +45,9 @@ PairSums evaluate(Model const& m, State& s, Scratch& w, std::size_t i) {
   auto& force = w.contact.force[i];
   Vec3 const origin = m.position.at(model::node_of(pair.a, 0));
   Corners const a = corners(m, s, pair.a, origin), b = corners(m, s, pair.b, origin);
-  bool const has_memory = pair.start > 0 || pair.stiffness > 0;
+  bool const has_memory = pair.energy_at_start > 0 || pair.stiffness > 0;
   if (!has_memory && are_apart(a.now, b.now, w.contact.separator[i])) {
-    pair.start = 0;
+    pair.energy_at_start = 0;
     force.acts = false;
     return {};
   }

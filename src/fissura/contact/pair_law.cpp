@@ -57,12 +57,12 @@ PairResult pair_law(state::ContactScratch::PairConstants const& constants, PairN
   PairResult r;
   TetOverlap const o = overlap(now.a, now.b);
   double const energy = constants.stiffness * o.energy;
-  if (memory.start < 0 || memory.start > energy) memory.start = energy;
-  if (!(energy > memory.start)) {
+  if (memory.energy_at_start < 0 || memory.energy_at_start > energy) memory.energy_at_start = energy;
+  if (!(energy > memory.energy_at_start)) {
     r.lost = let_go(memory);
     return r;
   }
-  double const share = 1 - std::sqrt(memory.start / energy), scale = share * constants.stiffness;
+  double const share = 1 - std::sqrt(memory.energy_at_start / energy), scale = share * constants.stiffness;
   r.stored = share * share * energy;
   double const press = scale * norm(o.force);
   // E = K g^2/2 and F = K g for a flat contact: K = F^2/(2 E)

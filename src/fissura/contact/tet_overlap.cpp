@@ -87,7 +87,7 @@ void press_out(Shares const& shares, TetNow const& owner, TetNow const& other, d
                std::array<Vec3, 4>& on_owner, std::array<Vec3, 4>& on_other) {
   for (int i = 0; i < shares.count; ++i) {
     auto const& [face, solid] = shares.share[i];
-    double const measure = solid.volume / other.stretch;
+    double const measure = solid.volume / other.volume_ratio;
     Vec3 const force = -(owner.altitude[face] * measure) * owner.gradient[face];
     sum.energy += owner.altitude[face] * owner.lambda(face, solid.centroid) * measure;
     sum.force += sense * force;
@@ -104,7 +104,7 @@ TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& r
   TetNow t;
   t.x = now;
   double const volume = six_volumes(now), before = six_volumes(reference);
-  t.stretch = volume / before;
+  t.volume_ratio = volume / before;
   auto const area = area_vectors(now), area_before = area_vectors(reference);
   for (int c = 0; c < 4; ++c) {
     if (volume > 0) t.gradient[c] = (-1 / volume) * area[c];

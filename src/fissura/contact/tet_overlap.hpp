@@ -20,7 +20,7 @@ struct TetNow {
   std::array<Vec3, 4> x;          ///< corners [m]
   std::array<Vec3, 4> gradient;   ///< of the barycentric coordinates [1/m]
   std::array<double, 4> altitude; ///< in the reference state [m]
-  double stretch = 1;             ///< current volume over reference volume
+  double volume_ratio = 1;        ///< current volume over reference volume
 
   /// Barycentric coordinate c of a point.
   double lambda(int c, Vec3 point) const { return dot(gradient[c], point - x[(c + 1) % 4]); }

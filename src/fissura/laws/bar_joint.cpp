@@ -55,7 +55,7 @@ BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, doubl
   h.V_s = p.with_dowel ? dowel_force(p.dowel, h.dowel, S, t_s) : 0;
   h.strain = bond_strain(p.bond, h.bond, S, h.dowel.strength);
   h.sigma = steel_stress(p.steel, h.steel, h.strain, h.dowel.strength);
-  h.yielded = h.yielded || h.bond.yielded;
+  h.yielded = h.yielded || h.bond.yielded || h.strain < -p.steel.f_y / p.steel.E_s;
 
   if (must_rupture(p, h, t_s)) {
     lost.dowel += V_before * t_s; // what it held, V t before, and the trapezoidal work of the last step

@@ -29,7 +29,7 @@ LawPack<double> pack_of(CohesiveParams const& p) {
           one_if(p.law == CohesiveLaw::paper)};
 }
 HistoryPack<double> pack_of(CohesiveHistory const& h) {
-  return {h.kappa, h.z, h.f_s, h.slip_1, h.slip_2};
+  return {h.kappa, h.z, h.f_s, h.slid_1, h.slid_2};
 }
 SeparationPack<double> pack_of(Separation const& s) {
   return {s.opening, s.sliding_1, s.sliding_2};
@@ -102,7 +102,7 @@ Traction cohesive_traction(CohesiveParams const& p, CohesiveHistory& h, Separati
   auto history = pack_of(h);
   DissipationPack<double> sum{lost.mode_I, lost.mode_II, lost.friction};
   auto const t = cohesive_law(pack_of(p), history, pack_of(now), pack_of(before), broken ? 1.0 : 0.0, sum);
-  h = {history.kappa, history.z, history.f_s, history.slip_1, history.slip_2};
+  h = {history.kappa, history.z, history.f_s, history.slid_1, history.slid_2};
   lost = {sum.mode_I, sum.mode_II, sum.friction};
   return {t.sigma, t.tau_1, t.tau_2};
 }

@@ -65,7 +65,7 @@ struct CohesiveHistory {
   double kappa = 0;              ///< largest damage D so far; 1 = this point has failed
   double z = 1;                  ///< softening(kappa), kept because exp is dear
   double f_s = 0;                ///< shear strength frozen at first damage [Pa]; 0 = not frozen
-  double slip_1 = 0, slip_2 = 0; ///< plastic part of the frictional sliding, tangential axes of the joint [m]
+  double slid_1 = 0, slid_2 = 0; ///< plastic part of the frictional sliding, tangential axes of the joint [m]
 };
 
 /// Jump of displacement across the joint, in its own axes [m].

@@ -13,7 +13,7 @@ template <class V> struct SeparationPack { V opening, sliding_1, sliding_2; };
 template <class V> struct TractionPack { V sigma, tau_1, tau_2; };
 template <class V> struct DissipationPack { V mode_I, mode_II, friction; };
 /// As CohesiveHistory.
-template <class V> struct HistoryPack { V kappa, z, f_s, slip_1, slip_2; };
+template <class V> struct HistoryPack { V kappa, z, f_s, slid_1, slid_2; };
 /// As CohesiveParams of joints that can crack; what is true or false there is 1 or 0 here. Divisions are
 /// dear: reciprocals are kept beside the values.
 template <class V> struct LawPack {
@@ -101,7 +101,8 @@ template <class V> inline V energy_shape(V w, V x) {
   return (V(0.5) * (one + one - w) - V(1.0 / 3) * (one - w) * x) * x * x;
 }
 
-// ---- paper: Eq. 13 below the peak, secant to the origin below the largest separation -------------------
+// ---- paper: Eq. 13 below the peak, lowered in proportion to the secant from the largest separation
+// -------------------
 
 template <class V> inline V virgin_shape(V straight, V x) {
   V const zero(0.0), one(1.0);
@@ -184,9 +185,9 @@ inline void add_friction(LawPack<V> const& p, Branches<V> const& old, Branches<V
   V const zero(0.0), half(0.5), one(1.0);
   V const k_old = friction_stiffness(p, old), k = has_grown ? friction_stiffness(p, b) : k_old;
   auto const acts = has_friction && k > zero;
-  V const e_1 = before.sliding_1 - h.slip_1, e_2 = before.sliding_2 - h.slip_2;
+  V const e_1 = before.sliding_1 - h.slid_1, e_2 = before.sliding_2 - h.slid_2;
   V const t0_1 = k_old * e_1, t0_2 = k_old * e_2;
-  V loss = zero, from_1 = h.slip_1, from_2 = h.slip_2;
+  V loss = zero, from_1 = h.slid_1, from_2 = h.slid_2;
   // The spring has stiffened with damage: keep its force, not its stretch, or energy would appear.
   if (auto const stiffens = k > k_old; has_grown && core::any(stiffens)) {
     V const keep = choose(stiffens, V(k_old / k), one);
@@ -197,22 +198,22 @@ inline void add_friction(LawPack<V> const& p, Branches<V> const& old, Branches<V
 
   V t_1 = k * (now.sliding_1 - from_1), t_2 = k * (now.sliding_2 - from_2);
   V const limit = choose(t.sigma < zero, V((b.z - one) * p.friction * t.sigma), zero);
-  V slip_1 = from_1, slip_2 = from_2;
+  V slid_1 = from_1, slid_2 = from_2;
   auto const slides = t_1 * t_1 + t_2 * t_2 > limit * limit;
   if (core::any(slides)) {
     V const share = limit * core::inverse_root(V(t_1 * t_1 + t_2 * t_2));
-    slip_1 = choose(slides, V(now.sliding_1 - share * (now.sliding_1 - from_1)), from_1);
-    slip_2 = choose(slides, V(now.sliding_2 - share * (now.sliding_2 - from_2)), from_2);
+    slid_1 = choose(slides, V(now.sliding_1 - share * (now.sliding_1 - from_1)), from_1);
+    slid_2 = choose(slides, V(now.sliding_2 - share * (now.sliding_2 - from_2)), from_2);
     t_1 = choose(slides, V(share * t_1), t_1), t_2 = choose(slides, V(share * t_2), t_2);
     // Mean traction times slip: exact for the trapezoidal work of the step. Where a step turns the force
     // right round while the pressure falls, the mean may oppose the slip; friction never gives energy back.
-    V const work = half * ((t0_1 + t_1) * (slip_1 - from_1) + (t0_2 + t_2) * (slip_2 - from_2));
+    V const work = half * ((t0_1 + t_1) * (slid_1 - from_1) + (t0_2 + t_2) * (slid_2 - from_2));
     loss = loss + choose(slides, core::larger(work, zero), zero);
   }
 
   lost = lost + choose(acts, loss, zero);
-  h.slip_1 = choose(acts, slip_1, now.sliding_1);
-  h.slip_2 = choose(acts, slip_2, now.sliding_2);
+  h.slid_1 = choose(acts, slid_1, now.sliding_1);
+  h.slid_2 = choose(acts, slid_2, now.sliding_2);
   t.tau_1 = t.tau_1 + choose(acts, t_1, zero);
   t.tau_2 = t.tau_2 + choose(acts, t_2, zero);
 }
@@ -238,8 +239,8 @@ inline TractionPack<V> cohesive_law(LawPack<V> const& p, HistoryPack<V>& h, Sepa
   if (has_grown) {
     auto const is_new = is_damaged && kappa_old <= zero;
     next.f_s = choose(is_new && p.mohr_coulomb > zero, f_s, h.f_s);
-    next.slip_1 = choose(is_new, before.sliding_1, h.slip_1); // friction starts without a jump
-    next.slip_2 = choose(is_new, before.sliding_2, h.slip_2);
+    next.slid_1 = choose(is_new, before.sliding_1, h.slid_1); // friction starts without a jump
+    next.slid_2 = choose(is_new, before.sliding_2, h.slid_2);
     next.z = choose(grows, softening(kappa), z_old);
     b = branches(p, kappa, next.z, f_s);
     // The fall of stored energy at fixed separation.
@@ -261,8 +262,8 @@ inline TractionPack<V> cohesive_law(LawPack<V> const& p, HistoryPack<V>& h, Sepa
   h.kappa = next.kappa;
   h.z = choose(is_damaged, next.z, h.z);
   h.f_s = next.f_s;
-  h.slip_1 = choose(is_damaged, next.slip_1, h.slip_1);
-  h.slip_2 = choose(is_damaged, next.slip_2, h.slip_2);
+  h.slid_1 = choose(is_damaged, next.slid_1, h.slid_1);
+  h.slid_2 = choose(is_damaged, next.slid_2, h.slid_2);
   if (auto const is_fresh = kappa <= zero; core::any(is_fresh)) {
     TractionPack<V> const fresh = undamaged_traction(p, now);
     t = {choose(is_fresh, fresh.sigma, t.sigma), choose(is_fresh, fresh.tau_1, t.tau_1),
@@ -279,7 +280,7 @@ inline V stored_energy(LawPack<V> const& p, HistoryPack<V> const& h, SeparationP
   V const z = choose(broken > zero, zero, choose(kappa > zero, h.z, one));
   Branches<V> const b = branches(p, kappa, z, shear_strength(p, h, now.opening));
   V const cohesive = normal_energy(p, b, now.opening) + shear_energy(p, b, sliding_of(now));
-  V const e_1 = now.sliding_1 - h.slip_1, e_2 = now.sliding_2 - h.slip_2;
+  V const e_1 = now.sliding_1 - h.slid_1, e_2 = now.sliding_2 - h.slid_2;
   auto const rubs = kappa > zero && (broken > zero || p.mohr_coulomb > zero);
   return cohesive + choose(rubs, V(half * friction_stiffness(p, b) * (e_1 * e_1 + e_2 * e_2)), zero);
 }

@@ -14,8 +14,7 @@ namespace fissura::model {
 
 using core::Place;
 
-// ---- mesh
-// ----------------------------------------------------------------------------------------------------
+// ---- mesh -------------------------------------------------------------------------------------------------
 struct BoxSpec {
   Place place;
   std::string name = "concrete"; ///< volume group of its tets
@@ -35,8 +34,7 @@ struct MeshSpec {
   bool allow_outside = false; ///< the file may lie outside the deck's folder
 };
 
-// ---- where
-// ---------------------------------------------------------------------------------------------------
+// ---- where ------------------------------------------------------------------------------------------------
 /// Picks mesh points (supports, forces), faces (tractions, by their three points) or joints and tets (by
 /// centroid).
 struct Selector {
@@ -51,8 +49,7 @@ struct Selector {
       0; ///< distance that still counts [m]; 0 = 1e-6 of the mesh's largest extent. point: nearest node if 0
 };
 
-// ---- functions of time
-// -----------------------------------------------------------------------------------------
+// ---- functions of time ------------------------------------------------------------------------------------
 /// A function of the time since the start of its stage; 0 before, its last value afterwards.
 struct Curve {
   enum class Kind { constant, ramp, table, cycles };
@@ -69,8 +66,7 @@ struct Curve {
   bool one_sided = false; ///< cycles: 0 -> +a -> 0 instead of 0 -> +a -> -a -> 0
 };
 
-// ---- materials
-// -------------------------------------------------------------------------------------------------
+// ---- materials --------------------------------------------------------------------------------------------
 enum class TetLaw { hyperelastic, paper };
 enum class JointLaw { energy_consistent, paper };
 enum class ShearStrength { mohr_coulomb, constant };
@@ -179,8 +175,7 @@ struct BarSettings {
   bool dowel = true;
 };
 
-// ---- loads and supports
-// ----------------------------------------------------------------------------------------
+// ---- loads and supports -----------------------------------------------------------------------------------
 struct SupportSpec {
   Place place;
   std::string name;
@@ -282,8 +277,7 @@ struct InitialVelocitySpec {
   Vec3 velocity;  ///< [m/s]
 };
 
-// ---- contact
-// --------------------------------------------------------------------------------------------------
+// ---- contact ----------------------------------------------------------------------------------------------
 struct ContactSpec {
   bool on = true;
   Place place;
@@ -295,8 +289,7 @@ struct ContactPairSpec { ///< friction between two materials
   double friction = 0;
 };
 
-// ---- run
-// -------------------------------------------------------------------------------------------------------
+// ---- run --------------------------------------------------------------------------------------------------
 struct StageSpec {
   Place place;
   std::string name;
@@ -356,14 +349,14 @@ struct StopSpec {
   double after = 0;    ///< ... once that largest |value| exceeds this
 };
 struct OutputSpec {
-  int history_points = 1000; ///< rows of history.csv over the run (about)
-  double history_every = 0;  ///< [s]; > 0 wins
-  int frames = 20;           ///< VTU frames over the run (about)
-  double frames_every = 0;   ///< [s]; > 0 wins
+  int history_points = 1000;     ///< rows of history.csv over the run (about)
+  double history_every = 0;      ///< [s]; > 0 wins
+  int frames = 20;               ///< VTU frames over the run (about)
+  double frames_every = 0;       ///< [s]; > 0 wins
   double checkpoint_every = 300; ///< wall time between two checkpoints [s]; 0 = not by time
   long checkpoint_steps = 0;     ///< steps between two checkpoints; 0 = not by steps
   long hash_every = 1000;        ///< steps between two hashes of the state in log.txt; 0 = none
-  double magnify = 1;        ///< no effect on the run; default warp factor of the pictures
+  double magnify = 1;            ///< no effect on the run; default warp factor of the pictures
 };
 
 struct Case {

@@ -4,7 +4,7 @@
 namespace fissura::model {
 
 /// Joints between all tets that share a face, except where both concretes have joints = false. Fills in
-/// Model::joints, joint_of_shared_face and the tets' gather tables.
+/// Model::joints and joint_of_shared_face.
 void make_joints(Model& m);
 
 /// The case's joint regions, resolved to shared faces.

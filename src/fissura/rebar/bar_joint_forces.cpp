@@ -25,8 +25,8 @@ class JointStep {
     auto& h = s_.history[i_];
     if (!h.activated && law_.crackable && some_face_separates()) {
       auto const& before = s_.motion[i_];
-      laws::activate(law_.activated, h, before.slip, {before.t_1, before.t_2, 0}, s_.joint_stress[i_],
-                     before.held);
+      laws::activate(law_.activated, h, before.slip_from_start, {before.t_1, before.t_2, 0},
+                     s_.joint_stress[i_], before.held);
     }
     if (h.activated) {
       slide(h);

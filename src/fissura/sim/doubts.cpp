@@ -195,10 +195,11 @@ class Doubts {
   void check_jump(std::string const& name, char const* key, Curve const& curve, Dimension dimension) {
     bool const at_once = curve.kind == Curve::Kind::constant && curve.value != 0;
     bool const soon = curve.kind == Curve::Kind::ramp && curve.over < few_crossings * crossing();
-    if (at_once || soon)
+    bool const table_starts = curve.kind == Curve::Kind::table && curve.values.front() != 0;
+    if (at_once || soon || table_starts)
       doubt(fmt::format(
           "`{}` comes as a jump, which may break the concrete where it acts; let it grow, e.g. {}", name,
-          ramp(key, curve.value, dimension)));
+          table_starts ? "from 0 in the first row of its table" : ramp(key, curve.value, dimension)));
   }
 
   static std::optional<double> largest_speed(model::MotionSpec const& motion) {
@@ -206,7 +207,23 @@ class Doubts {
     if (motion.is_velocity && (c.kind == Curve::Kind::constant || c.kind == Curve::Kind::ramp))
       return std::abs(c.value);
     if (!motion.is_velocity && c.kind == Curve::Kind::ramp) return 1.875 * std::abs(c.value) / c.over;
+    if (c.kind == Curve::Kind::table) return motion.is_velocity ? largest_value(c) : steepest(c);
     return std::nullopt;
+  }
+
+  static double largest_value(Curve const& table) {
+    double most = 0;
+    for (double const v : table.values) most = std::max(most, std::abs(v));
+    return most;
+  }
+  /// Between two rows: straight, or a cubic whose slopes at the rows are given and nearly the largest.
+  static double steepest(Curve const& table) {
+    double most = 0;
+    for (std::size_t i = 1; i < table.times.size(); ++i)
+      most = std::max(most, std::abs(table.values[i] - table.values[i - 1]) /
+                                (table.times[i] - table.times[i - 1]));
+    for (double const slope : table.slopes) most = std::max(most, std::abs(slope));
+    return most;
   }
 
   /// v = c f_t/E of the weakest concrete that may crack [m/s]; 0 if none may.

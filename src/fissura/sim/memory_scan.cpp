@@ -36,8 +36,8 @@ template <class Struct> bool all_finite(std::vector<Struct> const& list) {
 /// The accounts of a damaged joint. Its points and last separations need no look: a number there that is not
 /// finite makes the tractions so in the next step, or is overwritten.
 bool finite(state::JointHistory const& h) {
-  return finite(h.dissipated.mode_I, h.dissipated.mode_II, h.dissipated.friction, h.handed_over, h.farthest,
-                h.time_of_failure);
+  return finite(h.dissipated.mode_I, h.dissipated.mode_II, h.dissipated.friction, h.handed_over,
+                h.farthest_squared, h.time_of_failure);
 }
 
 /// Bits of a status byte, any of which makes a joint worth a look.
@@ -107,8 +107,9 @@ bool finite(laws::BarJointHistory const& h) {
 bool bar_joint_is_finite(state::BarState const& b, std::size_t i) {
   auto const& moved = b.motion[i];
   auto const& a = b.account[i];
-  return finite(moved.axial, moved.slip, moved.t_1, moved.t_2, moved.held, a.bond_steel, a.dowel, a.rupture,
-                b.joint_stress[i], b.joint_strain[i], b.slip[i], b.normalised_slip[i], b.dowel_force[i]) &&
+  return finite(moved.axial, moved.slip_from_start, moved.t_1, moved.t_2, moved.held, a.bond_steel, a.dowel,
+                a.rupture, b.joint_stress[i], b.joint_strain[i], b.slip[i], b.normalised_slip[i],
+                b.dowel_force[i]) &&
          (!b.is_activated(i) || finite(b.history[i])); // before that the history is not in use
 }
 

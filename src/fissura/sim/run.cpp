@@ -108,7 +108,7 @@ void Run::Impl::take_reading() {
   if (auto trouble = monitor_.take(energy_, m_, s_)) throw RunFailure(std::move(*trouble));
   if (!was_warned && monitor_.crossed_warning())
     log_.warning("t = {:.5g} s: the energy residual passes {:.2g} %", s_.time,
-               100 * m_.source.run.residual_warn);
+                 100 * m_.source.run.residual_warn);
 }
 
 void Run::Impl::change_stage() {
@@ -155,7 +155,7 @@ void Run::Impl::finish() {
   log_end(log_, s_, result_, progress_.elapsed());
   if (auto const kept = last_good_checkpoint(); !kept.empty())
     log_.info("the last good checkpoint is {}", kept);
-  log_verdict(log_, m_, monitor_);
+  log_verdict(log_, m_, s_, monitor_);
   report_page_.at_end(log_);
   log_.close_file();
 }

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "fissura/concrete/kernels.hpp"
+#include "fissura/sim/hindsight.hpp"
 #include "fissura/sim/log.hpp"
 #include "fissura/sim/progress.hpp"
 
@@ -51,7 +52,7 @@ void log_end(Log& log, State const& s, RunResult const& result, double wall) {
           readable_duration(wall));
 }
 
-void log_verdict(Log& log, Model const& m, Monitor const& monitor) {
+void log_verdict(Log& log, Model const& m, State const& s, Monitor const& monitor) {
   double const quiet = monitor.quiet_share(), imbalance = monitor.imbalance();
   log.info("energy residual {:+.3g} % of the energy put in", 100 * monitor.residual());
   log.info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
@@ -64,6 +65,7 @@ void log_verdict(Log& log, Model const& m, Monitor const& monitor) {
     log.warning("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
                 "trusting the run",
                 100 * m.source.run.residual_warn);
+  for (auto const& doubt : steel_beyond_yield(m, s)) log.warning("{}", doubt);
 }
 
 } // namespace fissura::sim

@@ -23,6 +23,6 @@ void log_steps_ahead(Log& log, model::Model const& m, double end, int threads);
 
 /// How it ended after `wall` seconds, and how far it can be trusted.
 void log_end(Log& log, state::State const& s, RunResult const& result, double wall);
-void log_verdict(Log& log, model::Model const& m, Monitor const& monitor);
+void log_verdict(Log& log, model::Model const& m, state::State const& s, Monitor const& monitor);
 
 } // namespace fissura::sim

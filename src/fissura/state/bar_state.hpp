@@ -22,9 +22,9 @@ struct BarJointAccount {
 
 /// A bar joint as it moved last: what activation needs to know of the step before.
 struct BarJointMotion {
-  double axial = 0;        ///< d.r [m]
-  double slip = 0;         ///< S, from t = 0 [m]
-  double t_1 = 0, t_2 = 0; ///< half transverse jump in the joint's own directions, from t = 0 [m]
+  double axial = 0;           ///< d.r [m]
+  double slip_from_start = 0; ///< S, from t = 0 [m]
+  double t_1 = 0, t_2 = 0;    ///< half transverse jump in the joint's own directions, from t = 0 [m]
   double held =
       0; ///< while intact: energy of the joint and of the element halves that activation hands to it [J]
 };

@@ -13,9 +13,9 @@ namespace fissura::state {
 /// Two tets that are near each other and not joined; a < b.
 struct ContactPair {
   int a = -1, b = -1;
-  double start = -1;    ///< energy of the overlap that carries no force [J]; -1: not yet looked at
-  double stiffness = 0; ///< of the tangential spring one step ago [N/m]
-  Vec3 stretch;         ///< of the tangential spring: b relative to a [m]
+  double energy_at_start = -1; ///< of the overlap that carries no force [J]; -1: not yet looked at
+  double stiffness = 0;        ///< of the tangential spring one step ago [N/m]
+  Vec3 stretch;                ///< of the tangential spring: b relative to a [m]
 };
 
 struct ContactState {

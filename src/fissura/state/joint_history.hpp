@@ -18,7 +18,7 @@ struct JointHistory {
   std::array<laws::Separation, 3> last{};       ///< separations one step ago, once the joint is damaged
   laws::Dissipation dissipated{};               ///< [J]
   double handed_over = 0;                       ///< share of the pair's load that is left to contact, 0 ... 1
-  double farthest = 0;                          ///< largest squared distance between the nodes of a pair [m2]
+  double farthest_squared = 0;                  ///< largest squared distance between the nodes of a pair [m2]
   double time_of_failure = 0;                   ///< [s]; 0 = not failed
 
   static constexpr int doubles = 30;

@@ -191,7 +191,7 @@ std::vector<Plant> all_fields() {
   OTHER(contact.stored);
   OTHER(contact.travel);
   OTHER(contact.skin);
-  OTHER(contact.pairs[0].start);
+  OTHER(contact.pairs[0].energy_at_start);
   OTHER(contact.pairs[0].stiffness);
   OTHER(contact.pairs[0].stretch.y);
   OTHER(rigid.touch[0].offset);

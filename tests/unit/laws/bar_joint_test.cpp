@@ -51,6 +51,19 @@ TEST(BarJoint, ElasticSlopeAndYield) {
   EXPECT_NEAR(lost.dowel, 0, 0);
 }
 
+// Requirement: a joint that is pressed past -f_y has yielded too, although its bond never did.
+TEST(BarJoint, YieldsInCompression) {
+  auto const p = make_bar_joint_params(input());
+  auto h = activated(p);
+  BarJointDissipation lost;
+  for (double S = 0; h.strain > -0.95 * 530e6 / 210e9; S -= 1e-6) bar_joint_force(p, h, S, 0, lost);
+  EXPECT_FALSE(h.yielded);
+  while (h.strain > -1.05 * 530e6 / 210e9) bar_joint_force(p, h, h.S - 1e-6, 0, lost);
+  EXPECT_TRUE(h.yielded);
+  EXPECT_FALSE(h.bond.yielded);
+  EXPECT_NEAR(h.sigma, -530e6, 1e-3 * 530e6);
+}
+
 // On the elastic line the stored energy is the work of the force over the slip, and nothing is lost.
 TEST(BarJoint, ElasticWorkIsStored) {
   auto const p = make_bar_joint_params(input());

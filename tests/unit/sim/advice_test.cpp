@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "fissura/sim/advice.hpp"
+#include "fissura/sim/hindsight.hpp"
 #include "fissura/sim/progress.hpp"
 #include "support/cases.hpp"
+#include "support/concrete_model.hpp"
 
 namespace fissura::support {
 namespace {
@@ -44,6 +46,42 @@ TEST(Advice, PulledMembersAreNotBent) {
   auto c = cantilever(5, ramp(1e-5, 0.1), false);
   c.motions.front().axis = 0;
   EXPECT_FALSE(says(warnings_of(c), "over the height"));
+}
+
+model::Curve table(std::vector<double> times, std::vector<double> values) {
+  model::Curve c;
+  c.kind = model::Curve::Kind::table;
+  c.times = std::move(times), c.values = std::move(values);
+  return c;
+}
+
+// Requirement: a motion by a table is warned of like any other when it is fast enough to crack the concrete,
+// be it a table of displacements or of velocities; a slow one is not.
+TEST(Advice, TablesThatMoveFast) {
+  EXPECT_TRUE(says(warnings_of(cantilever(8, table({0, 1e-3}, {0, 2e-3}), false)), "`tip` reaches 2 m/s"));
+  EXPECT_TRUE(says(warnings_of(cantilever(8, table({0, 1}, {3, 0}), true)), "`tip` reaches 3 m/s"));
+  EXPECT_FALSE(says(warnings_of(cantilever(8, table({0, 1}, {0, 2e-3}), false)), "reaches"));
+}
+
+// Requirement: a table that does not begin at 0 comes as a jump.
+TEST(Advice, TablesThatBeginWithAJump) {
+  EXPECT_TRUE(says(warnings_of(cantilever(8, table({0, 1}, {0.01, 0.01}), true)), "`tip` comes as a jump"));
+  EXPECT_FALSE(says(warnings_of(cantilever(8, table({0, 1}, {0, 0.01}), true)), "comes as a jump"));
+}
+
+// Requirement: steel that is stressed past its yield strength where the concrete cannot crack, and so cannot
+// yield, is named at the end of the run; steel that yields at cracks is not.
+TEST(Hindsight, NamesSteelThatCannotYield) {
+  for (bool const crackable : {false, true}) {
+    auto c = tie_case({4, 1, 1}, 1, 1);
+    c.concretes[0].crackable = crackable;
+    Stepper x(c);
+    set_field(x.m, x.s.u, [](Vec3 X) { return Vec3{4e-3 * X.x, 0, 0}; }); // twice the strain at yield
+    x.advance();
+    auto const found = sim::steel_beyond_yield(x.m, x.s);
+    EXPECT_EQ(found.size(), crackable ? 0u : 1u);
+    EXPECT_EQ(says(found, "more than its f_y of"), !crackable);
+  }
 }
 
 // Requirement: the progress line never exceeds the terminal, whatever its width; colours only when asked.

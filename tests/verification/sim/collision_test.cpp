@@ -103,7 +103,7 @@ TEST(Collision, is_seen_in_time_at_any_speed) {
     double stored = 0;
     for (int i = 0; i < 40; ++i) {
       c.t.advance();
-      for (auto const& p : c.t.s.contact.pairs) EXPECT_LE(p.start, 0) << speed;
+      for (auto const& p : c.t.s.contact.pairs) EXPECT_LE(p.energy_at_start, 0) << speed;
       stored = std::max(stored, c.t.s.contact.stored);
     }
     EXPECT_TRUE(speed < 5 || stored > 0) << speed;
