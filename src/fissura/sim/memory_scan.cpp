@@ -142,7 +142,7 @@ Spot nameless(std::string what, std::string field) {
 
 std::optional<Spot> find_in_contact(Model const& m, State const& s) {
   for (auto const& p : s.contact.pairs) {
-    if (finite(p.start, p.stiffness) && finite(p.stretch)) continue;
+    if (finite(p.energy_at_start, p.stiffness) && finite(p.stretch)) continue;
     Spot spot = tet_spot(m, p.a, "contact spring");
     spot.what += fmt::format(" with tet {}", m.mesh.input_id[static_cast<std::size_t>(p.b)]);
     return spot;
