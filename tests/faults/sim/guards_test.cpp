@@ -134,7 +134,7 @@ std::vector<Plant> all_fields() {
 #define BAR(part, field)                                                                                     \
   add("bar_" #part "_" #field, [](State& s) { return &s.bars.part[first_activated(s)].field; })
   BAR(motion, axial);
-  BAR(motion, slip);
+  BAR(motion, slip_from_start);
   BAR(motion, t_1);
   BAR(motion, t_2);
   BAR(motion, held);
