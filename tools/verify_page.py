@@ -60,7 +60,7 @@ def older_rows(path, checks):
 
 
 def age(rows, older, adopted=()):
-    build = "one build" + (f" (the runs {', '.join(adopted)} by another)" if adopted else "")
+    build = f"two builds (the runs {', '.join(adopted)} by one, all others by the other)" if adopted else "one build"
     if not older:
         return f"All rows were computed by {build}.\n"
     return (f"{len(rows) - len(older)} rows were computed by {build}; {len(older)} are older (whole sections that say so, and rows marked{OLDER}): earlier "
