@@ -2,6 +2,7 @@
 // some node may have moved through half of it, or until faces part.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fissura/contact/broad_phase.hpp"
 #include "fissura/contact/contact.hpp"
@@ -27,50 +28,39 @@ constexpr double skin_share = 0.1; ///< of the mean size of the surface tets
 constexpr double stability_share = 0.1;
 constexpr double skin_used = 0.8; ///< the rest covers velocities that grow between two looks
 constexpr std::size_t tets_per_chunk = 512;
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 Vec3 place_of(Model const& m, State const& s, int node) {
   return m.position.at(node) + s.u.at(node);
 }
 
-struct MeanVelocity {
-  Vec3 sum;
-  MeanVelocity& operator+=(MeanVelocity const& b) {
-    sum += b.sum;
-    return *this;
-  }
-};
-struct Fastest {
-  double square = 0;
-  Fastest& operator+=(Fastest const& b) {
-    square = std::max(square, b.square);
+/// The box around the velocities of nodes [m/s].
+struct Velocities {
+  Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
+  Velocities& operator+=(Velocities const& b) {
+    for (int r = 0; r < 3; ++r) low[r] = std::min(low[r], b.low[r]), high[r] = std::max(high[r], b.high[r]);
     return *this;
   }
 };
 
-/// Sum of body(tet) over the tets, in a fixed order.
-template <class Value, class Body> Value sum_over(std::vector<int> const& tets, Body const& body) {
-  return parallel::sum_chunks<Value>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
-    Value sum;
-    for (std::size_t i = begin; i < end; ++i) sum += body(tets[i]);
-    return sum;
-  });
+Velocities velocities_of(State const& s, std::vector<int> const& tets, std::size_t begin, std::size_t end) {
+  Velocities of;
+  for (std::size_t i = begin; i < end; ++i)
+    for (int c = 0; c < 4; ++c) {
+      Vec3 const v = s.v.at(model::node_of(tets[i], c));
+      of += {v, v};
+    }
+  return of;
 }
 
-/// How far a surface node can go until the next look, seen from the mean motion of all [m].
+/// How far a surface node can go until the next look [m], seen from an observer who moves with the middle of
+/// all velocities: half of what two nodes can approach each other.
 double window_travel(Model const& m, State const& s, std::vector<int> const& tets) {
   if (tets.empty()) return 0;
-  Vec3 const total =
-      sum_over<MeanVelocity>(tets, [&](int t) { return MeanVelocity{s.v.at(model::node_of(t, 0))}; }).sum;
-  Vec3 const mean = total / static_cast<double>(tets.size());
-  auto const fastest = sum_over<Fastest>(tets, [&](int t) {
-    Fastest f;
-    for (int c = 0; c < 4; ++c) {
-      Vec3 const v = s.v.at(model::node_of(t, c)) - mean;
-      f.square = std::max(f.square, dot(v, v));
-    }
-    return f;
-  });
-  return static_cast<double>(steps_between_looks) * m.dt * std::sqrt(fastest.square);
+  auto const of = parallel::sum_chunks<Velocities>(
+      tets.size(), tets_per_chunk,
+      [&](std::size_t begin, std::size_t end) { return velocities_of(s, tets, begin, end); });
+  return static_cast<double>(steps_between_looks) * m.dt * 0.5 * norm(of.high - of.low);
 }
 
 std::array<Vec3, 4> corners_of(Model const& m, State const& s, int tet) {

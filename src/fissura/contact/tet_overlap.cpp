@@ -98,6 +98,23 @@ void press_out(Shares const& shares, TetNow const& owner, TetNow const& other, d
   }
 }
 
+constexpr std::array<std::array<int, 2>, 6> edge_corners{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// What lies between the shadows of two tets on a line [m]; negative or 0 where they meet. An axis of no
+/// length, of parallel edges, tells nothing.
+double gap_along(Vec3 axis, std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b) {
+  double const length = norm(axis);
+  if (!(length > 0)) return 0;
+  auto shadow = [axis](std::array<Vec3, 4> const& t, Vec3 origin) {
+    double const x[4] = {dot(axis, t[0] - origin), dot(axis, t[1] - origin), dot(axis, t[2] - origin),
+                         dot(axis, t[3] - origin)};
+    return std::minmax({x[0], x[1], x[2], x[3]});
+  };
+  auto const [low_a, high_a] = shadow(a, a[0]);
+  auto const [low_b, high_b] = shadow(b, a[0]);
+  return std::max(low_b - high_a, low_a - high_b) / length;
+}
+
 } // namespace
 
 TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& reference) {
@@ -126,16 +143,13 @@ bool are_apart(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b, std::
 
 double gap_between(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b) {
   double widest = 0;
-  auto try_faces = [&widest](std::array<Vec3, 4> const& t, std::array<Vec3, 4> const& points) {
-    for (auto const& c : mesh::face_corners) {
-      Vec3 const p = t[c[0]], outward = unit(cross(t[c[1]] - p, t[c[2]] - p));
-      double nearest = dot(outward, points[0] - p);
-      for (int k = 1; k < 4; ++k) nearest = std::min(nearest, dot(outward, points[k] - p));
-      widest = std::max(widest, nearest);
-    }
-  };
-  try_faces(a, b);
-  try_faces(b, a);
+  for (auto const& f : mesh::face_corners) {
+    widest = std::max(widest, gap_along(cross(a[f[1]] - a[f[0]], a[f[2]] - a[f[0]]), a, b));
+    widest = std::max(widest, gap_along(cross(b[f[1]] - b[f[0]], b[f[2]] - b[f[0]]), a, b));
+  }
+  for (auto const& e : edge_corners)
+    for (auto const& f : edge_corners)
+      widest = std::max(widest, gap_along(cross(a[e[1]] - a[e[0]], b[f[1]] - b[f[0]]), a, b));
   return widest;
 }
 
