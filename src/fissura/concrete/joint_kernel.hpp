@@ -56,7 +56,7 @@ template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::siz
 }
 
 /// Side a comes along in order; side b lies anywhere. Fetching it two blocks ahead hides the way to memory.
-inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
+[[gnu::always_inline]] inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2;
   if (b + ahead >= pass.joints->blocks()) return;
   int const* const node = pass.joints->node.data() + ((b + ahead) * 6 + 3) * model::block;

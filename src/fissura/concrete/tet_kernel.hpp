@@ -222,7 +222,7 @@ template <class V> struct TetPack {
 };
 
 /// Forces of joints that the tet does not own lie anywhere: fetched two blocks ahead.
-inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
+[[gnu::always_inline]] inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2;
   if (b + ahead >= pass.tets->blocks()) return;
   int const* const where = pass.joints->place.data() + (b + ahead) * 12 * model::block;
