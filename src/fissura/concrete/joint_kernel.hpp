@@ -59,6 +59,8 @@ template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::siz
 [[gnu::always_inline]] inline void prefetch_side_b(JointPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2;
   if (b + ahead >= pass.joints->blocks()) return;
+  double const* const f = pass.force + 9 * (b + ahead) * model::block;
+  for (int i = 0; i < 9 * model::block; i += 8) __builtin_prefetch(f + i, 1);
   int const* const node = pass.joints->node.data() + ((b + ahead) * 6 + 3) * model::block;
   for (int i = 0; i < model::block; ++i) {
     double const* const tet = pass.u + (node[i] - node[i] % core::per_tet);

@@ -225,6 +225,8 @@ template <class V> struct TetPack {
 [[gnu::always_inline]] inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2;
   if (b + ahead >= pass.tets->blocks()) return;
+  double const* const u = pass.u + core::per_tet * (b + ahead) * model::block;
+  for (int i = 0; i < core::per_tet * model::block; i += 8) __builtin_prefetch(u + i, 1);
   int const* const where = pass.joints->place.data() + (b + ahead) * 12 * model::block;
   for (int face = 0; face < 4; ++face)
     for (int i = 0; i < model::block; ++i) {
