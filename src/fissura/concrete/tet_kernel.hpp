@@ -221,26 +221,31 @@ template <class V> struct TetPack {
   }
 };
 
-/// Forces of joints that the tet does not own lie anywhere: fetched two blocks ahead.
-[[gnu::always_inline]] inline void prefetch_joint_forces(TetPass const& pass, std::size_t b) {
-  constexpr std::size_t ahead = 2;
+/// Fetches what the next packs need, two blocks ahead: displacements and velocities, to be written, and the
+/// forces of joints, which may lie anywhere. Always inline: else gcc takes it for a function without any effect
+/// and drops the calls.
+[[gnu::always_inline]] inline void prefetch_block(TetPass const& pass, std::size_t b) {
+  constexpr std::size_t ahead = 2, line = 8; // doubles of a cache line
   if (b + ahead >= pass.tets->blocks()) return;
-  double const* const u = pass.u + core::per_tet * (b + ahead) * model::block;
-  for (int i = 0; i < core::per_tet * model::block; i += 8) __builtin_prefetch(u + i, 1);
+  std::size_t const first = core::per_tet * model::block * (b + ahead);
+  for (std::size_t i = first; i < first + core::per_tet * model::block; i += line) {
+    __builtin_prefetch(pass.u + i, core::to_write);
+    __builtin_prefetch(pass.v + i, core::to_write);
+  }
   int const* const where = pass.joints->place.data() + (b + ahead) * 12 * model::block;
   for (int face = 0; face < 4; ++face)
     for (int i = 0; i < model::block; ++i) {
       int const* const corner = where + 3 * face * model::block + i;
       int const start = std::min({corner[0], corner[model::block], corner[2 * model::block]});
       __builtin_prefetch(pass.joints->force.data() + start);
-      __builtin_prefetch(pass.joints->force.data() + start + 8); // nine numbers span two lines
+      __builtin_prefetch(pass.joints->force.data() + start + line); // nine numbers span two lines
     }
 }
 
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
   V viscous(0.0), sums[3] = {V(0.0), V(0.0), V(0.0)};
   for (std::size_t b = begin; b < end; ++b) {
-    prefetch_joint_forces(pass, b);
+    prefetch_block(pass, b);
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
       TetPack<V> p(pass, b, lane);
       p.load_state();

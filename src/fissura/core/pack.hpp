@@ -31,6 +31,9 @@ using Pack = stdx::native_simd<double>;
 template <class V> inline constexpr int lanes = V::size();
 template <> inline constexpr int lanes<double> = 1;
 
+/// For __builtin_prefetch: the line will be written, so that no other processor should keep it.
+inline constexpr int to_write = 1;
+
 template <class V> inline V load(double const* p) {
   if constexpr (std::is_same_v<V, double>)
     return *p;
