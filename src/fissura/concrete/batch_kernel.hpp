@@ -12,18 +12,15 @@ inline namespace FISSURA_ISA {
 
 using state::JointBatch;
 
-/// A pack of lanes of a HistoryRows. Where faces merely open and close, most rows stay what they are: writing
-/// them costs more than looking.
-template <class V> struct PackHistory {
+/// A pack of lanes of a HistoryRows, to read.
+template <class V> struct KnownHistory {
   static constexpr int before = 15, lost = 24, handed_over = 27, farthest_squared = 28;
   static constexpr int accounts = lost; ///< from here on the law does not ask
 
-  state::HistoryRows& rows;
+  state::HistoryRows const& known;
   int lane0;
 
-  V get(int row) const { return core::load<V>(rows.row[row].data() + lane0); }
-  void put(int row, V v) const { core::store<V>(rows.row[row].data() + lane0, v); }
-
+  V get(int row) const { return core::load<V>(known.row[row].data() + lane0); }
   /// 0 if all accounts are finite, else not a number.
   V zero_if_finite() const {
     V sum = get(accounts);
@@ -34,6 +31,24 @@ template <class V> struct PackHistory {
     int const r = 5 * q;
     return {get(r), get(r + 1), get(r + 2), get(r + 3), get(r + 4)};
   }
+  laws::SeparationPack<V> separation(int q) const {
+    int const r = before + 3 * q;
+    return {get(r), get(r + 1), get(r + 2)};
+  }
+};
+
+/// The same, to change. Where faces merely open and close, most rows stay what they are: writing them costs
+/// more than looking.
+template <class V> struct PackHistory : KnownHistory<V> {
+  using Known = KnownHistory<V>;
+  using Known::get, Known::lane0, Known::before, Known::lost;
+
+  state::HistoryRows& rows;
+
+  PackHistory(state::HistoryRows& of, int from_lane) : Known{of, from_lane}, rows(of) {}
+
+  void put(int row, V v) const { core::store<V>(rows.row[row].data() + lane0, v); }
+
   void renew_point(int q, laws::HistoryPack<V> const& was, laws::HistoryPack<V> const& is) const {
     // Not `!=`: what is no number has changed too.
     auto const is_same = is.kappa == was.kappa && is.z == was.z && is.f_s == was.f_s &&
@@ -41,10 +56,6 @@ template <class V> struct PackHistory {
     if (!core::any(!is_same)) return;
     int const r = 5 * q;
     put(r, is.kappa), put(r + 1, is.z), put(r + 2, is.f_s), put(r + 3, is.slid_1), put(r + 4, is.slid_2);
-  }
-  laws::SeparationPack<V> separation(int q) const {
-    int const r = before + 3 * q;
-    return {get(r), get(r + 1), get(r + 2)};
   }
   void set_separation(int q, laws::SeparationPack<V> const& s) const {
     int const r = before + 3 * q;
@@ -65,42 +76,40 @@ static_assert(offsetof(state::JointHistory, dissipated) == 24 * sizeof(double));
 static_assert(offsetof(state::JointHistory, handed_over) == 27 * sizeof(double));
 static_assert(offsetof(state::JointHistory, farthest_squared) == 28 * sizeof(double));
 
-/// One pack out of a batch.
-template <class V> struct BatchPack {
+/// One pack out of a batch, to read.
+template <class V> struct KnownPack {
   DamagedPass const& pass;
-  JointBatch& batch;
-  state::HistoryRows& histories;
+  JointBatch const& known;
   int lane0;
 
   V row(JointBatch::Row const& r) const { return core::load<V>(r.data() + lane0); }
-  void put(JointBatch::Row& r, V v) const { core::store<V>(r.data() + lane0, v); }
 
   JointFrame<V> frame() const {
     Vec<V> a[3], b[3];
     for (int k = 0; k < 3; ++k) {
-      a[k] = core::load_vectors<V>(pass.u, batch.node[k].data() + lane0);
-      b[k] = core::load_vectors<V>(pass.u, batch.node[k + 3].data() + lane0);
+      a[k] = core::load_vectors<V>(pass.u, known.node[k].data() + lane0);
+      b[k] = core::load_vectors<V>(pass.u, known.node[k + 3].data() + lane0);
     }
-    auto edge = [&](int i) { return core::load<V>(batch.edge[i].data() + lane0); };
+    auto edge = [&](int i) { return core::load<V>(known.edge[i].data() + lane0); };
     auto f = joint_frame<V>(a, b, {edge(0), edge(1), edge(2)}, {edge(3), edge(4), edge(5)});
     add_axes(f);
     return f;
   }
 
-  laws::LawPack<V> law() const {
+  laws::LawPack<V> law(bool is_one_for_all) const {
     V four[3][4];
     for (int i = 0; i < 3; ++i) {
       double const* const rows = pass.laws + 4 * i;
-      if (batch.has_one_law)
-        for (int r = 0; r < 4; ++r) four[i][r] = V(rows[batch.law[0] + r]);
+      if (is_one_for_all)
+        for (int r = 0; r < 4; ++r) four[i][r] = V(rows[known.law[0] + r]);
       else
-        core::load_fours(rows, batch.law.data() + lane0, four[i]);
+        core::load_fours(rows, known.law.data() + lane0, four[i]);
     }
-    V const one(1.0), per_k = row(batch.per_k), strength = row(batch.strength);
+    V const one(1.0), per_k = row(known.per_k), strength = row(known.strength);
     V const f_t = strength * four[0][0], straight = four[2][1];
     V o_r = four[0][1];
     if (core::any(strength > one)) o_r = o_r / strength;
-    return {row(batch.k),
+    return {row(known.k),
             per_k,
             f_t,
             (one + one - straight) * f_t * per_k,
@@ -117,12 +126,38 @@ template <class V> struct BatchPack {
             four[2][3]};
   }
 
+  /// Recoverable energy [J].
+  V energy(state::HistoryRows const& histories) const {
+    V const zero(0.0), one(1.0), broken = row(known.broken);
+    KnownHistory<V> const history{histories, lane0};
+    auto const f = frame();
+    auto const p = law(known.has_one_law && !known.needs_care); // lanes that have just changed hands differ
+    V sum = zero;
+    for (int q = 0; q < 3; ++q)
+      sum = sum + laws::stored_energy(p, history.point(q), separation_at(f, q), broken);
+    return V(2.0) * row(known.weight) * (one - history.get(history.handed_over)) * sum; // area/3 per point
+  }
+};
+
+/// The same, to act.
+template <class V> struct BatchPack : KnownPack<V> {
+  using Known = KnownPack<V>;
+  using Known::pass, Known::lane0, Known::row, Known::frame, Known::law;
+
+  JointBatch& batch;
+  state::HistoryRows& histories;
+
+  BatchPack(DamagedPass const& damaged, JointBatch& of, state::HistoryRows& rows, int from_lane)
+      : Known{damaged, of, from_lane}, batch(of), histories(rows) {}
+
+  void put(JointBatch::Row& r, V v) const { core::store<V>(r.data() + lane0, v); }
+
   /// Tractions, their forces on both sides, and what the step has dissipated.
   void act() const {
     V const zero(0.0), one(1.0), broken = row(batch.broken);
     auto const f = frame();
-    auto const p = law();
-    PackHistory<V> const history{histories, lane0};
+    auto const p = law(batch.has_one_law);
+    PackHistory<V> const history(histories, lane0);
     // An account that is not finite makes the forces so: nobody has to go round and look (sim/guards.hpp).
     V const weight = row(batch.weight) + history.zero_if_finite();
     V const kept = one - history.get(history.handed_over);
@@ -195,7 +230,15 @@ template <class V> struct BatchPack {
 template <class V> void act_batch(DamagedPass const& pass, JointBatch& batch, state::HistoryRows& histories) {
   batch.has_event = false;
   for (int lane = 0; lane < batch.count; lane += core::lanes<V>)
-    BatchPack<V>{pass, batch, histories, lane}.act();
+    BatchPack<V>(pass, batch, histories, lane).act();
+}
+
+template <class V>
+double batch_energy(DamagedPass const& pass, JointBatch const& batch, state::HistoryRows const& histories) {
+  V sum(0.0);
+  for (int lane = 0; lane < batch.count; lane += core::lanes<V>)
+    sum = sum + KnownPack<V>{pass, batch, lane}.energy(histories);
+  return core::sum_lanes(sum);
 }
 
 } // namespace FISSURA_ISA

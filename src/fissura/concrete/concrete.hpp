@@ -37,6 +37,8 @@ state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, 
 double strain_energy(model::Model const& m, state::State const& s);
 /// Recoverable energy in the joints at u [J].
 double joint_energy(model::Model const& m, state::State const& s);
+/// The same, in packs, from what the last joint_forces at this u has left in the slots.
+double joint_energy(model::Model const& m, state::State const& s, state::JointSlots const& slots);
 /// What the joints have dissipated so far [J].
 laws::Dissipation joint_dissipation(model::Model const& m, state::State const& s);
 

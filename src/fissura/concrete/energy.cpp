@@ -8,6 +8,7 @@
 namespace fissura::concrete {
 
 using model::Model;
+using state::JointHistories;
 using state::JointStatus;
 using state::State;
 
@@ -93,16 +94,30 @@ double joint_energy(Model const& m, State const& s) {
       });
 }
 
+double joint_energy(Model const& m, State const& s, state::JointSlots const& slots) {
+  JointPass const intact{&m.joints, s.u.data(), nullptr, s.joint_status.data()};
+  DamagedPass const damaged{s.u.data(), slots.laws.data(), nullptr};
+  auto const& set = kernels();
+  return parallel::sum_chunks<double>(
+      m.joints.blocks(), JointHistories::group / model::block, [&](std::size_t begin, std::size_t end) {
+        double sum = set.intact_joint_energy(intact, begin, end);
+        auto const lanes =
+            static_cast<std::size_t>(slots.lanes[begin * model::block / JointHistories::group].at_work);
+        for (std::size_t row = begin; row < begin + (lanes + model::block - 1) / model::block; ++row)
+          sum += set.batch_energy(damaged, slots.batches[row], s.joint_history.rows[row]);
+        return sum;
+      });
+}
+
 laws::Dissipation joint_dissipation(Model const& m, State const& s) {
-  laws::Dissipation sum{};
-  for (int j = 0; j < m.joints.count; ++j) {
-    if (s.joint_status[j] == 0) continue;
-    auto const d = s.joint_history.of(static_cast<std::size_t>(j)).dissipated;
-    sum.mode_I += d.mode_I;
-    sum.mode_II += d.mode_II;
-    sum.friction += d.friction;
-  }
-  return sum;
+  return parallel::sum_chunks<laws::Dissipation>(static_cast<std::size_t>(m.joints.count), items_per_chunk,
+                                                 [&](std::size_t begin, std::size_t end) {
+                                                   laws::Dissipation sum{};
+                                                   for (std::size_t j = begin; j < end; ++j)
+                                                     if (s.joint_status[j] != 0)
+                                                       sum += s.joint_history.dissipated(j);
+                                                   return sum;
+                                                 });
 }
 
 std::array<double, 6> tet_stress(Model const& m, State const& s, int tet) {

@@ -55,8 +55,8 @@ template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::siz
   return joint_frame<V>(on_a, on_b, {row(0), row(1), row(2)}, {row(3), row(4), row(5)});
 }
 
-/// Fetches what the next packs need, two blocks ahead: the slots of the forces, to be written, and side b, which
-/// may lie anywhere (side a comes along in order). Always inline: see prefetch_block of the tets.
+/// Fetches what the next packs need, two blocks ahead: the slots of the forces, to be written, and side b,
+/// which may lie anywhere (side a comes along in order). Always inline: see prefetch_block of the tets.
 [[gnu::always_inline]] inline void prefetch_joints(JointPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2, line = 8; // doubles of a cache line
   if (b + ahead >= pass.joints->blocks()) return;

@@ -46,6 +46,8 @@ struct KernelSet {
   double (*intact_joint_energy)(JointPass const&, std::size_t begin, std::size_t end); ///< [J]
   void (*act_batch)(DamagedPass const&, state::JointBatch&,
                     state::HistoryRows&); ///< the full law of damaged joints
+  double (*batch_energy)(DamagedPass const&, state::JointBatch const&,
+                         state::HistoryRows const&); ///< what they hold [J]
   state::TetSums (*tet_forces)(TetPass const&, std::size_t begin, std::size_t end);
 };
 

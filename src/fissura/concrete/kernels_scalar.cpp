@@ -6,7 +6,7 @@
 namespace fissura::concrete {
 
 extern KernelSet const kernels_scalar;
-KernelSet const kernels_scalar{"scalar", &joint_forces<double>, &intact_joint_energy<double>,
-                               &act_batch<double>, &tet_forces<double>};
+KernelSet const kernels_scalar{"scalar",           &joint_forces<double>, &intact_joint_energy<double>,
+                               &act_batch<double>, &batch_energy<double>, &tet_forces<double>};
 
 } // namespace fissura::concrete

@@ -6,7 +6,11 @@
 namespace fissura::concrete {
 
 extern KernelSet const kernels_v4;
-KernelSet const kernels_v4{"x86-64-v4", &joint_forces<core::Pack>, &intact_joint_energy<core::Pack>,
-                           &act_batch<core::Pack>, &tet_forces<core::Pack>};
+KernelSet const kernels_v4{"x86-64-v4",
+                           &joint_forces<core::Pack>,
+                           &intact_joint_energy<core::Pack>,
+                           &act_batch<core::Pack>,
+                           &batch_energy<core::Pack>,
+                           &tet_forces<core::Pack>};
 
 } // namespace fissura::concrete

@@ -222,8 +222,8 @@ template <class V> struct TetPack {
 };
 
 /// Fetches what the next packs need, two blocks ahead: displacements and velocities, to be written, and the
-/// forces of joints, which may lie anywhere. Always inline: else gcc takes it for a function without any effect
-/// and drops the calls.
+/// forces of joints, which may lie anywhere. Always inline: else gcc takes it for a function without any
+/// effect and drops the calls.
 [[gnu::always_inline]] inline void prefetch_block(TetPass const& pass, std::size_t b) {
   constexpr std::size_t ahead = 2, line = 8; // doubles of a cache line
   if (b + ahead >= pass.tets->blocks()) return;

@@ -57,9 +57,10 @@ Velocities velocities_of(State const& s, std::vector<int> const& tets, std::size
 /// all velocities: half of what two nodes can approach each other.
 double window_travel(Model const& m, State const& s, std::vector<int> const& tets) {
   if (tets.empty()) return 0;
-  auto const of = parallel::sum_chunks<Velocities>(
-      tets.size(), tets_per_chunk,
-      [&](std::size_t begin, std::size_t end) { return velocities_of(s, tets, begin, end); });
+  auto const of =
+      parallel::sum_chunks<Velocities>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
+        return velocities_of(s, tets, begin, end);
+      });
   return static_cast<double>(steps_between_looks) * m.dt * 0.5 * norm(of.high - of.low);
 }
 

@@ -79,6 +79,10 @@ struct Traction {
 /// Energy lost by kind: an increment [J/m2], or an account [J].
 struct Dissipation {
   double mode_I = 0, mode_II = 0, friction = 0;
+  Dissipation& operator+=(Dissipation const& b) noexcept {
+    mode_I += b.mode_I, mode_II += b.mode_II, friction += b.friction;
+    return *this;
+  }
 };
 
 /// Traction at `now` (Eqs. 13-19). Advances the history and adds what the step dissipates [J/m2] to `lost`.

@@ -124,9 +124,9 @@ Grid bar_grid(Model const& m, State const& s) {
     place(e.tet, e.w0);
     place(e.tet, e.w1);
     add_cell(g, output::cell_type::line, 2);
-    double const strain =
+    double const stretch =
         b.elongation[i] / e.length + m.bars.properties[static_cast<std::size_t>(e.bar)].initial_strain;
-    row(b.element_stress[i], strain, 0, 0, e.bar, e.copy, 0, 0);
+    row(b.element_stress[i], stretch, 0, 0, e.bar, e.copy, 0, 0);
   }
   for (std::size_t i = 0; i < m.bars.joints.size(); ++i) {
     auto const& j = m.bars.joints[i];

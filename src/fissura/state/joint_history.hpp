@@ -67,6 +67,13 @@ struct JointHistories {
     std::size_t const at = place_of(joint);
     return rows[at / model::block].of(at % model::block);
   }
+  /// JointHistory::dissipated alone.
+  laws::Dissipation dissipated(std::size_t joint) const {
+    constexpr std::size_t first = offsetof(JointHistory, dissipated) / sizeof(double);
+    std::size_t const at = place_of(joint), lane_of = at % model::block;
+    auto const& row = rows[at / model::block].row;
+    return {row[first][lane_of], row[first + 1][lane_of], row[first + 2][lane_of]};
+  }
   void set(std::size_t joint, JointHistory const& history) {
     std::size_t const at = place_of(joint);
     rows[at / model::block].set(at % model::block, history);

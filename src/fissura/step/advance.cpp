@@ -72,7 +72,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   contact::pair_forces(m, s, w);  // F_inter    between bodies, fragments and faces that have parted
   contact::rigid_forces(m, s, w); //            and with planes and impactors
   loads::applied_forces(m, s, w); // F_ext
-  if (reading) *reading = read_stored(m, s);
+  if (reading) *reading = read_stored(m, s, &w.joints);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean);
   auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries

@@ -30,10 +30,10 @@ std::array<std::pair<std::string_view, double>, 21> EnergyBalance::accounts() co
            {"work_gravity", work_gravity}}};
 }
 
-EnergyBalance read_stored(model::Model const& m, state::State const& s) {
+EnergyBalance read_stored(model::Model const& m, state::State const& s, state::JointSlots const* slots) {
   EnergyBalance e;
   e.strain = concrete::strain_energy(m, s);
-  e.joints = concrete::joint_energy(m, s);
+  e.joints = slots ? concrete::joint_energy(m, s, *slots) : concrete::joint_energy(m, s);
   auto const lost = concrete::joint_dissipation(m, s);
   e.fracture_I = lost.mode_I;
   e.fracture_II = lost.mode_II;

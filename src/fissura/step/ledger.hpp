@@ -33,8 +33,10 @@ struct EnergyBalance {
   std::array<std::pair<std::string_view, double>, 21> accounts() const;
 };
 
-/// Stored energies at u_n (before the nodes move on); the kinetic energy is added by the step.
-EnergyBalance read_stored(model::Model const& m, state::State const& s);
+/// Stored energies at u_n (before the nodes move on); the kinetic energy is added by the step. Faster with
+/// the slots of joints whose forces are those at u_n.
+EnergyBalance read_stored(model::Model const& m, state::State const& s,
+                          state::JointSlots const* slots = nullptr);
 /// Completes a reading with the work and the dissipation up to u_n.
 void read_flows(EnergyBalance& e, model::Model const& m, state::State const& s);
 

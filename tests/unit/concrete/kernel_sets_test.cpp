@@ -57,6 +57,18 @@ struct Bench {
   }
 };
 
+/// What the damaged joints hold [J], by their batches.
+double batch_energy(KernelSet const& set, Bench const& b) {
+  concrete::DamagedPass const pass{b.s.u.data(), b.w.joints.laws.data(), nullptr};
+  double sum = 0;
+  for (std::size_t g = 0; g < b.w.joints.lanes.size(); ++g)
+    for (int lane = 0; lane < b.w.joints.lanes[g].at_work; lane += model::block) {
+      std::size_t const row = state::JointHistories::place(g, lane) / model::block;
+      sum += set.batch_energy(pass, b.w.joints.batches[row], b.s.joint_history.rows[row]);
+    }
+  return sum;
+}
+
 double largest(core::Buffer<double> const& a) {
   double most = 0;
   for (double const x : a) most = std::max(most, std::abs(x));
@@ -90,6 +102,8 @@ class KernelSets : public testing::TestWithParam<char const*> {
     EXPECT_LE(difference(oracle.s.v.values, other.s.v.values), 1e-12);
     EXPECT_TRUE(
         std::equal(oracle.s.joint_status.begin(), oracle.s.joint_status.end(), other.s.joint_status.begin()));
+    EXPECT_LE(difference(batch_energy(concrete::kernels("scalar"), oracle), batch_energy(*set_, other)),
+              1e-12);
     EXPECT_LE(difference(oracle.sums.kinetic, other.sums.kinetic), 1e-12);
     EXPECT_LE(difference(oracle.sums.viscous, other.sums.viscous), 1e-12);
     EXPECT_LE(difference(oracle.sums.gravity, other.sums.gravity), 1e-11); // a sum of both signs
@@ -137,6 +151,7 @@ TEST_P(KernelSets, agree_on_a_cracking_step) {
     b->shake(1e-5, 0.1), b->gravity = {0, 0, -9.81}, b->mass_damping = 1, b->local_damping = 0.1;
   expect_same_step(oracle, other);
   EXPECT_GT(concrete::count_joints(oracle.m, oracle.s).damaged, 0);
+  EXPECT_GT(batch_energy(*set_, other), 0);
 }
 
 // Requirement: the same where strengths depend on the strain rate and joints are straight up to them.

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "fissura/contact/polyhedron.hpp"
 #include "fissura/contact/tet_overlap.hpp"
 #include "support/random_mesh.hpp"
@@ -140,6 +143,55 @@ TEST(TetOverlap, needs_a_common_volume) {
   EXPECT_EQ(overlap(unstrained(corner), unstrained(moved(corner, {1, 0, 0}))).energy, 0);
   Tet const mirrored{corner[1], corner[0], corner[2], corner[3]};
   EXPECT_EQ(overlap(unstrained(corner), make_tet_now(mirrored, corner)).energy, 0);
+}
+
+/// Distance of two tets, from above: of the closest points of two nets over their faces.
+double distance_from_above(Tet const& a, Tet const& b) {
+  constexpr int n = 12;
+  auto const net = [](Tet const& t) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        for (int k = 0; i + j + k <= n; ++k) {
+          if (i != 0 && j != 0 && k != 0 && i + j + k != n) continue; // inside
+          points.push_back(t[0] + (1.0 / n) * (i * (t[1] - t[0]) + j * (t[2] - t[0]) + k * (t[3] - t[0])));
+        }
+    return points;
+  };
+  double least = 1e300;
+  auto const on_b = net(b);
+  for (Vec3 const x : net(a))
+    for (Vec3 const y : on_b) least = std::min(least, norm(x - y));
+  return least;
+}
+
+// Requirement: the gap is never more than the distance, is 0 for tets that overlap, and is positive for tets
+// that only a pair of edges keeps apart, which no face plane does.
+TEST(GapBetween, is_a_bound_from_below_that_finds_every_gap) {
+  support::Random random(11);
+  int apart = 0, by_edges_alone = 0;
+  for (int i = 0; i < 300; ++i) {
+    Tet const a = random_tet(random, {}), b = random_tet(random, random.vector(-0.8, 0.8));
+    double const gap = gap_between(a, b);
+    EXPECT_LE(gap, distance_from_above(a, b) + 1e-15);
+    EXPECT_NEAR(gap, gap_between(b, a), 1e-15);
+    bool const touch = overlap(unstrained(a), unstrained(b)).volume > 0;
+    EXPECT_EQ(gap > 0, !touch) << i;
+    std::uint8_t separator = 0;
+    apart += gap > 0;
+    by_edges_alone += gap > 0 && !are_apart(a, b, separator);
+  }
+  EXPECT_GT(apart, 50);
+  EXPECT_GT(by_edges_alone, 5);
+}
+
+// Requirement: the gap between tets that face each other flat, corner to face or edge to edge is their
+// distance.
+TEST(GapBetween, is_exact_where_a_normal_joins_the_closest_points) {
+  EXPECT_NEAR(gap_between(corner, moved(corner, {0, 0, -1.25})), 0.25, 1e-15); // its apex below our base
+  Tet const along_x{Vec3{-1, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, -1}, Vec3{0, -1, -1}};
+  Tet const along_y{Vec3{0, -1, 0.3}, Vec3{0, 1, 0.3}, Vec3{1, 0, 1.3}, Vec3{-1, 0, 1.3}};
+  EXPECT_NEAR(gap_between(along_x, along_y), 0.3, 1e-15);
 }
 
 } // namespace
