@@ -1,16 +1,9 @@
 // The kernels for x86-64-v2: compiled with -march=x86-64-v2 (see src/fissura/CMakeLists.txt).
-#include "fissura/concrete/batch_kernel.hpp"
-#include "fissura/concrete/joint_kernel.hpp"
-#include "fissura/concrete/tet_kernel.hpp"
+#include "fissura/concrete/kernel_set.hpp"
 
 namespace fissura::concrete {
 
 extern KernelSet const kernels_v2;
-KernelSet const kernels_v2{"x86-64-v2",
-                           &joint_forces<core::Pack>,
-                           &intact_joint_energy<core::Pack>,
-                           &act_batch<core::Pack>,
-                           &batch_energy<core::Pack>,
-                           &tet_forces<core::Pack>};
+constinit KernelSet const kernels_v2 = kernel_set<core::Pack>("x86-64-v2");
 
 } // namespace fissura::concrete

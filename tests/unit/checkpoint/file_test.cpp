@@ -4,12 +4,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 
 #include "fissura/checkpoint/file.hpp"
 #include "fissura/checkpoint/store.hpp"
 #include "fissura/core/error.hpp"
 #include "fissura/core/hash.hpp"
+#include "support/refusal.hpp"
 #include "unit/output/temporary_folder.hpp"
 
 namespace fissura::checkpoint {
@@ -27,15 +27,8 @@ void write_numbers(std::string const& path, int count = 1000) {
 void overwrite(std::string const& path, std::string const& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
-/// The text of the error, and that it is one of input.
-std::string refusal(std::function<void()> const& what) {
-  try {
-    what();
-  } catch (core::InputError const& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
+std::string refusal(auto const& action) {
+  return support::refusal(core::Failure::input, action);
 }
 std::string refusal_of(std::string const& path) {
   return refusal([&] { read_file(path); });
@@ -176,15 +169,7 @@ TEST(CheckpointStore, adopts_a_checkpoint) {
 // with path and reason; the new checkpoint is there all the same.
 TEST(CheckpointStore, names_what_it_cannot_do) {
   TemporaryFolder const folder;
-  auto const io_error = [](std::function<void()> const& action) -> std::string {
-    try {
-      action();
-    } catch (core::Error const& e) {
-      EXPECT_EQ(e.failure, core::Failure::io);
-      return e.what();
-    }
-    return "no error";
-  };
+  auto const io_error = [](auto const& action) { return support::refusal(core::Failure::io, action); };
   overwrite(folder / "file", "");
   EXPECT_EQ(io_error([&] { Store(folder / "file"); }),
             folder / "file" + "/checkpoints: cannot create the folder: Not a directory");

@@ -1,24 +1,17 @@
 // Parameters outside their range are refused by name: a caller that is no deck has no other check.
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "fissura/core/error.hpp"
 #include "fissura/laws/bond_slip.hpp"
 #include "fissura/laws/cohesive.hpp"
 #include "fissura/laws/dowel.hpp"
+#include "support/refusal.hpp"
 
 namespace fissura::laws {
 namespace {
 
-std::string refusal(std::function<void()> const& action) {
-  try {
-    action();
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, core::Failure::input);
-    return e.what();
-  }
-  return "accepted";
+std::string refusal(auto const& action) {
+  return support::refusal(core::Failure::input, action);
 }
 
 /// A parameter that is not what it should be, and what is said about it.

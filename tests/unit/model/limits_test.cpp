@@ -3,18 +3,13 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/model/make_blocks.hpp"
+#include "support/refusal.hpp"
 
 namespace fissura::model {
 namespace {
 
 std::string refusal(auto const& action) {
-  try {
-    action();
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, core::Failure::input);
-    return e.what();
-  }
-  return "accepted";
+  return support::refusal(core::Failure::input, action);
 }
 
 // Requirement: more tets than the numbers of their nodes can count are refused before they are made.

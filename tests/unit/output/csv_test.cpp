@@ -2,13 +2,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <sstream>
 
 #include "fissura/core/error.hpp"
 #include "fissura/output/csv.hpp"
+#include "support/refusal.hpp"
 #include "support/unprivileged.hpp"
 #include "temporary_folder.hpp"
 
@@ -127,14 +127,8 @@ TEST(Csv, refuses_to_go_on_with_another_file) {
 }
 
 /// What an I/O failure says.
-std::string io_error(std::function<void()> const& action) {
-  try {
-    action();
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, core::Failure::io);
-    return e.what();
-  }
-  return "no error";
+std::string io_error(auto const& action) {
+  return support::refusal(core::Failure::io, action);
 }
 
 // Requirement: a file to go on with that is gone, or may only be read, is an I/O failure with path and

@@ -5,6 +5,7 @@
 #include "fissura/report/compare.hpp"
 #include "fissura/report/text_plot.hpp"
 #include "fissura/report/watch.hpp"
+#include "support/refusal.hpp"
 #include "unit/report/support.hpp"
 
 namespace fissura::report {
@@ -78,14 +79,8 @@ TEST(Compare, RangeOfTheSharedTime) {
 // Requirement: a column that is missing, runs without rows, and no column in common are errors of the input.
 TEST(Compare, NamesWhatIsWrong) {
   TwoRuns const runs(1);
-  auto const error = [&](std::vector<std::string> columns) -> std::string {
-    try {
-      runs.compared(0.02, std::move(columns));
-    } catch (core::Error const& e) {
-      EXPECT_EQ(e.failure, core::Failure::input);
-      return e.what();
-    }
-    return "no error";
+  auto const error = [&](std::vector<std::string> columns) {
+    return support::refusal(core::Failure::input, [&] { runs.compared(0.02, std::move(columns)); });
   };
   EXPECT_NE(error({"laod"}).find("no column `laod`; there are: time, load"), std::string::npos);
   EXPECT_NE(error({}).find("no reading in common"), std::string::npos); // no deck, no reactions

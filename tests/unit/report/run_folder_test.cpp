@@ -3,6 +3,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/report/run_folder.hpp"
+#include "support/refusal.hpp"
 #include "unit/report/support.hpp"
 
 namespace fissura::report {
@@ -11,13 +12,7 @@ namespace {
 using testing::TemporaryFolder;
 
 std::string error_of(std::string const& folder) {
-  try {
-    RunFolder const run(folder);
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, core::Failure::io);
-    return e.what();
-  }
-  return "no error";
+  return support::refusal(core::Failure::io, [&] { RunFolder const run(folder); });
 }
 
 // Requirement: a run that goes on is read as far as it has come: a last line without its end is left out.

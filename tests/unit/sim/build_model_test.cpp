@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/rebar/rebar.hpp"
 #include "fissura/sim/build_model.hpp"
 #include "fissura/sim/check.hpp"
 #include "fissura/sim/fields.hpp"
@@ -207,6 +210,32 @@ TEST(Fields, have_the_size_of_the_model) {
   EXPECT_EQ(cracks.types.size(), static_cast<std::size_t>(damaged));
   EXPECT_EQ(bars.types.size(), x.m.bars.elements.size() + x.m.bars.joints.size());
   for (auto const* g : {&tets, &cracks, &bars}) EXPECT_EQ(g->connectivity.size(), g->points.size());
+}
+
+/// The cell data of this name.
+std::vector<float> const& cells_of(output::Grid const& g, std::string const& name) {
+  auto const at =
+      std::find_if(g.cell_data.begin(), g.cell_data.end(), [&](auto const& a) { return a.name == name; });
+  return std::get<std::vector<float>>(at->values);
+}
+
+// Requirement: a bar stretched with its concrete by 1e-4 along its axis, beside what it was put in with,
+// shows this strain in its elements, and the stress that E_s makes of it.
+TEST(Fields, show_the_strain_of_bar_elements) {
+  constexpr double held_in = 2e-4, pulled = 1e-4;
+  auto c = tie_case({4, 2, 2}, 1, 2);
+  for (auto& bar : c.bars) bar.initial_strain = held_in;
+  Stepper x(c);
+  for (int n = 0; n < node_count(x.m); ++n) set_node(x.s.u, n, {pulled * position(x.m, n).x, 0, 0});
+  rebar::bar_joint_forces(x.m, x.s, x.w); // moves the bars
+  rebar::bar_forces(x.m, x.s, x.w);
+  auto const bars = sim::bar_grid(x.m, x.s);
+  auto const &strain = cells_of(bars, "strain"), &stress = cells_of(bars, "stress");
+  ASSERT_GT(x.m.bars.elements.size(), 0U);
+  for (std::size_t i = 0; i < x.m.bars.elements.size(); ++i) {
+    EXPECT_NEAR(strain[i], held_in + pulled, 1e-9);
+    EXPECT_NEAR(stress[i], c.steels[0].E_s * (held_in + pulled), 1e2);
+  }
 }
 
 // ---- check and templates

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <limits>
 
 #include "fissura/checkpoint/file.hpp"
@@ -17,6 +16,7 @@
 #include "fissura/sim/run_folder.hpp"
 #include "fissura/state/state.hpp"
 #include "support/cases.hpp"
+#include "support/refusal.hpp"
 #include "support/unprivileged.hpp"
 #include "unit/output/temporary_folder.hpp"
 
@@ -27,17 +27,8 @@ namespace fs = std::filesystem;
 using output::testing::read_bytes;
 using output::testing::TemporaryFolder;
 
-std::string error_of(core::Failure kind, std::function<void()> const& action) {
-  try {
-    action();
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, kind);
-    return e.what();
-  }
-  return "no error";
-}
-std::string io_error(std::function<void()> const& action) {
-  return error_of(core::Failure::io, action);
+std::string io_error(auto const& action) {
+  return support::refusal(core::Failure::io, action);
 }
 void expect_part(std::string const& text, std::string const& part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << "\n  is not in\n" << text;
@@ -115,7 +106,7 @@ class RestartFiles : public testing::Test {
   std::string refusal() const {
     auto o = options_for(folder / "run");
     o.restart = folder / "run";
-    return error_of(core::Failure::input, [&] { sim::run_case(stopping_tie(50), o); });
+    return support::refusal(core::Failure::input, [&] { sim::run_case(stopping_tie(50), o); });
   }
   /// Replaces the bytes of the checkpoint from `at` on, counted from the end of the stages in it.
   template <class T> std::string refusal_with(std::size_t at, T const& value) const {
@@ -162,7 +153,7 @@ TEST(Restart, needs_the_same_case) {
     auto saved = now;
     saved.version = "1";
     change(saved);
-    return error_of(core::Failure::input, [&] { sim::compare(saved, now, from); });
+    return support::refusal(core::Failure::input, [&] { sim::compare(saved, now, from); });
   };
   EXPECT_TRUE(sim::compare(now, now, from).empty());
   expect_part(refusal_of([](auto& saved) { saved.mesh = 9; }),

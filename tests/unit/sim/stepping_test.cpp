@@ -11,6 +11,7 @@
 #include "fissura/sim/run.hpp"
 #include "fissura/state/state.hpp"
 #include "support/cases.hpp"
+#include "support/refusal.hpp"
 #include "unit/output/temporary_folder.hpp"
 
 namespace fissura::support {
@@ -56,12 +57,7 @@ TEST(Stepping, is_the_same_run) {
 
 /// Says why a change of a load is refused.
 std::string refusal(sim::Run& run, std::string const& name, std::string const& key) {
-  try {
-    run.change_load(name, key, constant(1));
-  } catch (core::Error const& e) {
-    return e.what();
-  }
-  return "accepted";
+  return support::refusal(core::Failure::input, [&] { run.change_load(name, key, constant(1)); });
 }
 
 // Requirement: a motion that is changed between two steps goes on from its present velocity without a jump

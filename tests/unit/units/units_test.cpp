@@ -10,6 +10,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/units/decimal.hpp"
+#include "support/refusal.hpp"
 
 namespace {
 using namespace fissura;
@@ -18,13 +19,7 @@ using units::from_si;
 using units::to_si;
 
 std::string refusal(std::string_view text, Dimension dimension) {
-  try {
-    to_si(text, dimension);
-  } catch (core::Error const& e) {
-    EXPECT_EQ(e.failure, core::Failure::input);
-    return e.what();
-  }
-  return "accepted";
+  return support::refusal(core::Failure::input, [&] { to_si(text, dimension); });
 }
 
 double random_double(std::mt19937_64& random) {
