@@ -20,8 +20,8 @@ SHOWN = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CITATIO
          "bench"]
 BOOKS = {  # which pages come first; the others of the folder follow by name
     "Tutorials": ("docs/tutorials", ["first_beam", "cyclic_column", "impact", "mesh", "python"]),
-    "Theory": ("docs/theory", ["limits", "errata", "cohesive", "softening", "rate_factor", "bars", "bar_joint",
-                               "bond_slip", "dowel"]),
+    "Theory": ("docs/theory", ["limits", "errata", "tets", "joint_geometry", "cohesive", "softening",
+                               "rate_factor", "bars", "bar_joint", "bond_slip", "dowel", "time_step", "energy"]),
     "Reference": ("docs/reference", ["deck", "cages", "materials", "cli", "outputs", "mistakes", "glossary"]),
     "Verification": ("docs/verification", ["index"]),
     "Gallery": ("docs/gallery", ["index"]),
