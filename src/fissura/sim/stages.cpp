@@ -46,7 +46,10 @@ bool Stages::go_on(Model const& m, State& s, bool is_quiet) {
     return false;
   }
   settled_ = 0;
+  double const damping = m.stages[s.stage].mass_damping;
   s.stage_start[++s.stage] = now;
+  // The step books c dt (K before + K now) with one c: the first half of the next one still has the old c.
+  s.ledger.mass_damping += (damping - m.stages[s.stage].mass_damping) * m.dt * s.ledger.kinetic_before;
   // A stage that has settled early brings the end of the run forward.
   if (!(m.source.run.end_time > 0)) end_ = now + length_from(m, s.stage);
   return true;

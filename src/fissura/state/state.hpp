@@ -45,7 +45,7 @@ struct Ledger {
   double contact_friction = 0, absorbed = 0;                   ///< dissipated
   double start = 0;          ///< held at t = 0 (prestressed bars, bodies in motion)
   double kinetic_before = 0; ///< kinetic energy one step ago
-  double absolute_work = 0;  ///< sum of |dW_ext|
+  double absolute_work = 0;  ///< sum of |dW| of each account of work, summed over the body before
 };
 
 struct State {

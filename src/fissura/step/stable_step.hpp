@@ -17,9 +17,9 @@ struct StableStep {
 
 /// The limit of the model's own forces at rest (step/highest_frequency.hpp), or where that is lower (it never
 /// should be) the bound over tets, joints, bar joints and viscosity: the joints' and bars'
-/// stiffness is replaced by its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum lambda_a k_b], which leaves one
-/// block per tet; the frequency of a block is at most that of the tet alone plus its largest diagonal entry.
-/// Rigorous for small displacements.
+/// stiffness is replaced by its Gershgorin diagonal 2/m_a [sum p A/(3h) + sum of bar stiffness]
+/// (rebar/bar_stiffness.cpp), which leaves one block per tet; the frequency of a block is at most that of the
+/// tet alone plus its largest diagonal entry. Rigorous for small displacements.
 StableStep stable_step(model::Model const& m);
 
 /// Selective mass scaling: per tet, the factor on its mass that lifts the bound of its step to `dt` [s]; 1

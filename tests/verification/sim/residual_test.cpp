@@ -6,6 +6,8 @@
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/sim/monitor.hpp"
+#include "fissura/sim/stages.hpp"
+#include "fissura/step/start.hpp"
 #include "support/cases.hpp"
 
 namespace fissura::support {
@@ -46,6 +48,31 @@ void add_kinetic(Stepper& x, double energy) {
     kinetic += 0.5 * x.m.mass[n] * dot(at_node(x.s.v, n), at_node(x.s.v, n));
   double const factor = std::sqrt(std::max(0.0, 1 + energy / kinetic));
   for (double& v : x.s.v.values) v *= factor;
+}
+
+// Requirement: a flying block whose mass damping c begins, grows and ends with the stages keeps its balance
+// to a hundredth of c dt, so the step in which c changes is booked with both.
+TEST(Residual, is_small_where_stages_change_the_damping) {
+  auto c = box_case({2, 2, 2}, {0.2, 0.2, 0.2}, 0);
+  c.run.dt = 1e-6;
+  double const strong = 2e-3 / c.run.dt;
+  for (double const damping : {0.0, strong, 3 * strong, 0.0}) {
+    model::StageSpec stage;
+    stage.duration = 50 * c.run.dt;
+    stage.mass_damping = damping;
+    c.stages.push_back(stage);
+  }
+  Stepper x(c);
+  for (int n = 0; n < node_count(x.m); ++n) set_node(x.s.v, n, {1, 0, 0});
+  x.s.ledger.start = step::kinetic_energy(x.m, x.s);
+  sim::Stages stages(x.m);
+  for (int i = 0; i < 200; ++i) {
+    step::advance(x.m, x.s, x.w, &x.e);
+    EXPECT_LE(std::abs(x.e.missing()), 2e-5 * x.e.start) << "step " << i;
+    stages.go_on(x.m, x.s, false);
+  }
+  EXPECT_EQ(x.s.stage, 3);
+  EXPECT_GT(x.e.mass_damping, 0.2 * x.e.start);
 }
 
 // Requirement: a cracking tie leaves a residual of at most 0.5 %, no warning and no stop.
