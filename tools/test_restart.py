@@ -297,7 +297,8 @@ class Asked(Folder):
     def test_by_wall_time(self):
         """Requirement: --walltime stops a run within a step of the time given."""
         whole, run = self.smash("whole"), self.path("run")
-        self.program.must_run(SMASHED, "--out", run, "--until", SHORT_UNTIL, "--walltime", 0.2)
+        too_little = 0.3 * summary(whole)["wall_seconds"]
+        self.program.must_run(SMASHED, "--out", run, "--until", SHORT_UNTIL, "--walltime", too_little)
         self.assertEqual(summary(run)["reason"], "wall time used up")
         self.program.must_run(SMASHED, "--restart", run, "--until", SHORT_UNTIL)
         self.assertEqual(differences(whole, run), [])
