@@ -150,7 +150,7 @@ sanitize: setup-fuzz
 	cmake --preset fuzz
 	cmake --build build-fuzz -j $(JOBS) --target fissura tests_unit tests_laws tests_faults tests_regression
 	find build-fuzz/tests -maxdepth 1 -type f -executable | grep -E '/(unit|laws|faults|regression)_[a-z]*$$' | \
-	  LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp xargs -P $(JOBS) -I PROGRAM PROGRAM --gtest_brief=1
+	  LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp xargs -P $(JOBS) -n 1 sh -c '"$$0" --gtest_brief=1'
 	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/leaks.supp tools/sanitized_runs.sh build-fuzz/fissura 2
 	cmake --preset tsan
 	cmake --build build-tsan -j $(JOBS) --target fissura unit_parallel unit_contact unit_rebar regression_sim verification_sim

@@ -55,11 +55,12 @@ template <class V> inline JointFrame<V> frame_of(JointPass const& pass, std::siz
   return joint_frame<V>(on_a, on_b, {row(0), row(1), row(2)}, {row(3), row(4), row(5)});
 }
 
-/// Fetches what the next packs need, two blocks ahead: the slots of the forces, to be written, and side b,
-/// which may lie anywhere (side a comes along in order). Always inline: see prefetch_block of the tets.
-[[gnu::always_inline]] inline void prefetch_joints(JointPass const& pass, std::size_t b) {
+/// Fetches what the next packs of a range need, two blocks ahead: the slots of the forces, to be written, and
+/// side b, which may lie anywhere (side a comes along in order). Always inline: see prefetch_block of the
+/// tets.
+[[gnu::always_inline]] inline void prefetch_joints(JointPass const& pass, std::size_t b, std::size_t end) {
   constexpr std::size_t ahead = 2, line = 8; // doubles of a cache line
-  if (b + ahead >= pass.joints->blocks()) return;
+  if (b + ahead >= end) return;
   std::size_t const slots = state::JointSlots::per_slot * model::block;
   for (std::size_t i = slots * (b + ahead); i < slots * (b + ahead + 1); i += line)
     __builtin_prefetch(pass.force + i, core::to_write);
@@ -138,7 +139,7 @@ template <class V> int joint_forces(JointPass const& pass, std::size_t begin, st
   bool const rate = pass.joints->any_rate;
   MarkedJoints marked{list};
   for (std::size_t b = begin; b < end; ++b) {
-    prefetch_joints(pass, b);
+    prefetch_joints(pass, b, end);
     for (int lane = 0; lane < model::block; lane += core::lanes<V>)
       rate ? joint_pack<true, V>(pass, b, lane, marked) : joint_pack<false, V>(pass, b, lane, marked);
   }

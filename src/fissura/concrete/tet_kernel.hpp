@@ -221,12 +221,12 @@ template <class V> struct TetPack {
   }
 };
 
-/// Fetches what the next packs need, two blocks ahead: displacements and velocities, to be written, and the
-/// forces of joints, which may lie anywhere. Always inline: else gcc takes it for a function without any
-/// effect and drops the calls.
-[[gnu::always_inline]] inline void prefetch_block(TetPass const& pass, std::size_t b) {
+/// Fetches what the next packs of a range need, two blocks ahead: displacements and velocities, which are
+/// mostly written too, and the forces of joints, which may lie anywhere. Always inline: else gcc takes it for
+/// a function without any effect and drops the calls.
+[[gnu::always_inline]] inline void prefetch_block(TetPass const& pass, std::size_t b, std::size_t end) {
   constexpr std::size_t ahead = 2, line = 8; // doubles of a cache line
-  if (b + ahead >= pass.tets->blocks()) return;
+  if (b + ahead >= end) return;
   std::size_t const first = core::per_tet * model::block * (b + ahead);
   for (std::size_t i = first; i < first + core::per_tet * model::block; i += line) {
     __builtin_prefetch(pass.u + i, core::to_write);
@@ -245,7 +245,7 @@ template <class V> struct TetPack {
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
   V viscous(0.0), sums[3] = {V(0.0), V(0.0), V(0.0)};
   for (std::size_t b = begin; b < end; ++b) {
-    prefetch_block(pass, b);
+    prefetch_block(pass, b, end);
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
       TetPack<V> p(pass, b, lane);
       p.load_state();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "fissura/parallel/parallel.hpp"
 
@@ -13,8 +14,12 @@ namespace {
 using Pairs = std::vector<std::pair<int, int>>;
 constexpr std::size_t boxes_per_chunk = 1024;
 
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// A box with a number that is none counts as without end: it meets nobody, and is kept out of the grid.
 double extent(Box const& b) {
-  return std::max({b.high.x - b.low.x, b.high.y - b.low.y, b.high.z - b.low.z});
+  Vec3 const size = b.high - b.low;
+  return size.x >= 0 && size.y >= 0 && size.z >= 0 ? std::max({size.x, size.y, size.z}) : inf;
 }
 
 /// A box by the cell of its centre; sorted by cell, then by number.
@@ -34,7 +39,9 @@ class Cells {
     std::uint64_t key = 0;
     for (int r = 2; r >= 0; --r) {
       double const i = std::floor((0.5 * (b.low[r] + b.high[r]) - origin_[r]) / size_);
-      key = (key << 21) | static_cast<std::uint64_t>(std::clamp(i, 0.0, 1048574.0) + 1);
+      double const held =
+          i > 0 ? std::min(i, 1048574.0) : 0; // what is no number too: a run that is about to be stopped
+      key = (key << 21) | static_cast<std::uint64_t>(held + 1);
     }
     return key;
   }
@@ -92,7 +99,7 @@ double cell_size(std::vector<Box> const& boxes) {
 std::vector<std::pair<int, int>> meeting_boxes(std::vector<Box> const& boxes) {
   if (boxes.size() < 2) return {};
   double const size = cell_size(boxes);
-  Vec3 origin = boxes[0].low;
+  Vec3 origin{inf, inf, inf};
   for (auto const& b : boxes)
     for (int r = 0; r < 3; ++r) origin[r] = std::min(origin[r], b.low[r]);
   Cells const cells(origin, size);

@@ -61,7 +61,9 @@ double window_travel(Model const& m, State const& s, std::vector<int> const& tet
       parallel::sum_chunks<Velocities>(tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
         return velocities_of(s, tets, begin, end);
       });
-  return static_cast<double>(steps_between_looks) * m.dt * 0.5 * norm(of.high - of.low);
+  double const widest = norm(of.high - of.low);
+  // Without any finite velocity the guards end the run after this step: nothing need be found any more.
+  return std::isfinite(widest) ? 0.5 * static_cast<double>(steps_between_looks) * m.dt * widest : 0;
 }
 
 std::array<Vec3, 4> corners_of(Model const& m, State const& s, int tet) {

@@ -35,7 +35,7 @@ TetNow make_tet_now(std::array<Vec3, 4> const& now, std::array<Vec3, 4> const& r
 bool are_apart(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b, std::uint8_t& separator);
 
 /// A lower bound of the distance of two tets [m]: the widest gap between their shadows on a normal of a face
-/// or of a pair of edges. 0 if and only if they touch or overlap.
+/// or of a pair of edges. 0 if and only if they touch or overlap (of tets with a volume).
 double gap_between(std::array<Vec3, 4> const& a, std::array<Vec3, 4> const& b);
 
 struct TetOverlap {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "fissura/contact/broad_phase.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "support/random_mesh.hpp"
@@ -42,6 +44,20 @@ TEST(BroadPhase, finds_what_trying_all_finds) {
     }
   EXPECT_TRUE(meeting_boxes({}).empty());
   EXPECT_TRUE(meeting_boxes({Box{{0, 0, 0}, {1, 1, 1}}}).empty());
+}
+
+// Requirement: boxes that are no numbers, or without end, do no harm: the others' pairs are found all the
+// same.
+TEST(BroadPhase, bears_boxes_that_are_not_finite) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   inf = std::numeric_limits<double>::infinity();
+  auto boxes = random_boxes(9, 200, 0.3, 0);
+  auto const expected = by_trying_all(boxes);
+  boxes.push_back({{nan, 0, 0}, {nan, 1, 1}});
+  boxes.push_back({{nan, nan, nan}, {nan, nan, nan}});
+  EXPECT_EQ(meeting_boxes(boxes), expected);
+  boxes.push_back({{-inf, -inf, -inf}, {inf, inf, inf}});
+  EXPECT_EQ(meeting_boxes(boxes), by_trying_all(boxes));
 }
 
 // Requirement: the list does not depend on the number of threads.

@@ -47,5 +47,30 @@ TEST(Start, refuses_bodies_that_stand_in_each_other) {
   EXPECT_NO_THROW(check_start(deep));
 }
 
+// Requirement: the way that nodes are taken to go until the next look, four steps ahead, twice, is at least
+// what any two of them approach each other at their speeds, and at most root three times that; common motion
+// does not count.
+TEST(Search, foresees_how_near_nodes_can_come) {
+  support::Random random(4);
+  for (double const common : {0.0, 1000.0}) {
+    auto m = two_cubes(0.05);
+    m.source.contact.on = true;
+    m.dt = 1e-7;
+    auto s = support::concrete_state(m);
+    state::Scratch w;
+    w.overlay = state::Overlay(m.tets.blocks() * model::block, m.overlay_tets);
+    int const nodes = support::node_count(m);
+    for (int n = 0; n < nodes; ++n) support::set_node(s.v, n, random.vector(-5, 5) + Vec3{common, 0, 0});
+    s.contact.is_due = 1;
+    refresh_pairs(m, s, w);
+    double fastest = 0;
+    for (int a = 0; a < nodes; ++a)
+      for (int b = 0; b < a; ++b)
+        fastest = std::max(fastest, norm(support::at_node(s.v, a) - support::at_node(s.v, b)));
+    EXPECT_GE(2 * s.contact.travel, 4 * m.dt * fastest * (1 - 1e-12));
+    EXPECT_LE(2 * s.contact.travel, 4 * m.dt * fastest * std::sqrt(3.0));
+  }
+}
+
 } // namespace
 } // namespace fissura::contact
