@@ -133,7 +133,7 @@ class Tangent {
       }
     }
     concrete::joint_forces(m_, s_, w_);
-    rebar::bar_joint_forces(m_, s_, w_);
+    rebar::bar_joint_forces(m_, s_, w_, rebar::SlipBy::positions);
     rebar::bar_forces(m_, s_, w_);
     w_.overlay.clear();
     rebar::gather_bar_forces(m_, w_);

@@ -14,10 +14,11 @@ namespace {
 /// One bar joint at u_n, with all that its law needs.
 class JointStep {
  public:
-  JointStep(model::Model const& m, state::State& s, state::Scratch& w, std::size_t index)
+  JointStep(model::Model const& m, state::State& s, state::Scratch& w, SlipBy by, std::size_t index)
       : m_(m), whole_(s), joint_(m.bars.joints[index]), law_(m.bars.joint_law[index]), s_(s.bars),
         i_(index), nodes_{m.position, s.u}, now_(w.bars.joint[index]),
         slip_only_(m.bars.settings.between_cracks == model::BarBetweenCracks::slip_only) {
+    if (by == SlipBy::path && s_.history[i_].activated) follow_path();
     slip_ = 0.5 * (now_.axial + (slip_only_ ? elongation_of_halves() : 0));
   }
 
@@ -60,6 +61,26 @@ class JointStep {
     act(sigma, {});
     s_.joint_stress[i_] = sigma;
     s_.joint_strain[i_] = sigma / m_.bars.properties[joint_.bar].steel.E_s;
+  }
+
+  /// How far the two points that the force acts on have parted over the last step [m].
+  Vec3 parted() const {
+    Vec3 sum;
+    for (int c = 0; c < 4; ++c)
+      sum += now_.w_b[c] * whole_.v.at(model::node_of(joint_.tet_b, c)) -
+             now_.w_a[c] * whole_.v.at(model::node_of(joint_.tet_a, c));
+    return m_.dt * sum;
+  }
+
+  /// The slip goes on by what the force works on. Measured from the positions, d.r, it would also change as
+  /// the hosts shear or stretch, by up to |d| times their strain: that moves neither force, and in a wide
+  /// crack a vibrating tet would gain energy from it (docs/theory/bar_joint.md, "Slip along the path").
+  void follow_path() {
+    Vec3 const step = parted();
+    auto const& before = s_.motion[i_];
+    now_.axial = before.axial + dot(step, Vec3(now_.r));
+    now_.t_1 = before.t_1 + 0.5 * dot(step, Vec3(now_.across_1));
+    now_.t_2 = before.t_2 + 0.5 * dot(step, Vec3(now_.across_2));
   }
 
   /// Slip law along the bar and dowel action across it (Eqs. 20-27).
@@ -118,7 +139,7 @@ class JointStep {
 
 } // namespace
 
-void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w) {
+void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w, SlipBy by) {
   auto const pass = bar_pass(m, s, w);
   auto const& kernels = bar_kernels();
   parallel::for_chunks(w.bars.element_lanes.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -127,7 +148,7 @@ void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w)
   parallel::for_chunks(w.bars.joint_lanes.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
     kernels.move_joints(pass, begin, end);
     std::size_t const last = std::min(8 * end, m.bars.joints.size());
-    for (std::size_t i = 8 * begin; i < last; ++i) JointStep(m, s, w, i).advance();
+    for (std::size_t i = 8 * begin; i < last; ++i) JointStep(m, s, w, by, i).advance();
   });
 }
 

@@ -26,8 +26,13 @@ void activate_all(model::Model const& m, state::BarState& s);
 /// Work arrays; every host tet of a bar must own a slot of the overlay.
 state::BarScratch make_bar_scratch(model::Model const& m, state::Overlay const& overlay);
 
+/// What the slip of activated bar joints is counted by. In a run: the path, step by step from the velocities
+/// at n - 1/2 (docs/theory/bar_joint.md, "Slip along the path"). For trial motions about the state at rest,
+/// where both are the same: the positions.
+enum class SlipBy { path, positions };
+
 /// F_rc,JE at u_n: stretch of all elements, then stress, dowel action and history of all bar joints.
-void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
+void bar_joint_forces(model::Model const& m, state::State& s, state::Scratch& w, SlipBy by = SlipBy::path);
 /// F_rc,FE at u_n: axial forces of all elements; after bar_joint_forces, whose forces it may need.
 void bar_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// Adds the forces of elements and joints to the overlay, tet by tet in a fixed order.

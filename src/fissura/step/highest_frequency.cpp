@@ -119,7 +119,7 @@ class Tangent {
 
   void forces(concrete::TakeForces const& take) {
     concrete::joint_forces(m_, s_, w_);
-    rebar::bar_joint_forces(m_, s_, w_);
+    rebar::bar_joint_forces(m_, s_, w_, rebar::SlipBy::positions);
     rebar::bar_forces(m_, s_, w_);
     w_.overlay.clear();
     rebar::gather_bar_forces(m_, w_);

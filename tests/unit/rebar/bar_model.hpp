@@ -45,7 +45,10 @@ struct BarModel {
     for (int t = 0; t < static_cast<int>(m.mesh.tets.size()); ++t)
       for (int c = 0; c < 4; ++c) {
         Vec3 const u = displacement(t, corners(m.mesh, t)[c]);
-        for (int r = 0; r < 3; ++r) s.u(4 * t + c, r) = u[r];
+        for (int r = 0; r < 3; ++r) {
+          s.v(4 * t + c, r) = u[r] - s.u(4 * t + c, r); // dt is 1 s
+          s.u(4 * t + c, r) = u[r];
+        }
       }
     forces();
     for (std::size_t slot = 0; slot < w.overlay.tets.size(); ++slot)
@@ -111,6 +114,8 @@ struct BarModel {
   void place_nodes() {
     m.position = core::NodeField(4 * m.mesh.tets.size());
     s.u = core::NodeField(4 * m.mesh.tets.size());
+    s.v = core::NodeField(4 * m.mesh.tets.size());
+    m.dt = 1;
     for (int t = 0; t < static_cast<int>(m.mesh.tets.size()); ++t)
       for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 3; ++r) m.position(4 * t + c, r) = corners(m.mesh, t)[c][r];
