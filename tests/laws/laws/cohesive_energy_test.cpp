@@ -286,6 +286,25 @@ TEST(CohesiveRate, KeepsTheFractureEnergy) {
   }
 }
 
+// However few steps a straight joint takes from rest to failure, opening and sliding further with each, what
+// it stores and books as lost is the trapezoidal work to rounding: as the central differences take it. (With
+// the loss in the middle of each step a joint that failed within three steps booked up to 60 % more than was
+// put in.)
+TEST(CohesiveRate, FailureWithinAFewStepsBooksTheWorkOfTheSteps) {
+  for (int const steps : {1, 2, 3, 10})
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      Driver d{with_strength(rate_dependent(false), 1.7)};
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> u(0, 1.2 / steps);
+      for (int i = 0; i < steps; ++i)
+        d.step({d.at.opening + u(random) * critical_opening(d.p),
+                d.at.sliding_1 + u(random) * failing_sliding(d.p),
+                d.at.sliding_2 + u(random) * failing_sliding(d.p)});
+      EXPECT_NEAR(d.imbalance(), 0, 1e-9) << "path " << seed << " of " << steps << " steps";
+      EXPECT_GE(d.least_increment, 0);
+    }
+}
+
 // Before damage the joint is a spring whatever its strength does: the stored energy does not depend on it.
 TEST(CohesiveRate, StrengthChangesNoUndamagedJoint) {
   auto const p = rate_dependent(false), q = with_strength(p, 2.3);
