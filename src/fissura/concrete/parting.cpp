@@ -23,17 +23,22 @@ double face_size(model::Joint const& joint) {
   return std::sqrt(2 * joint.area);
 }
 
-/// Cosine of the angle between the faces of the two sides; 1 where no node pair is far enough apart for 30
-/// degrees to be possible.
+/// Cosine of the angle by which the faces of the two sides have turned against each other, about whatever
+/// axis: the least of those between their normals and between their edges. (Faces that twist in their common
+/// plane keep their normals, but at 180 degrees nothing would be left of the mid-triangle.) 1 where no node
+/// pair is far enough apart for 30 degrees to be possible.
 double faces_turned(model::Joint const& joint, JointKinematics const& k) {
   double farthest_squared = 0;
   for (Vec3 const d : k.jump) farthest_squared = std::max(farthest_squared, dot(d, d));
   if (farthest_squared < least_parting(joint.area)) return 1;
-  auto normal = [&](double side) {
-    Vec3 const a = k.mid[0] + side * k.jump[0];
-    return unit(cross(k.mid[1] + side * k.jump[1] - a, k.mid[2] + side * k.jump[2] - a));
+  auto edge = [&](int from, double side) {
+    int const to = (from + 1) % 3;
+    return k.mid[to] - k.mid[from] + side * (k.jump[to] - k.jump[from]);
   };
-  return dot(normal(-0.5), normal(0.5));
+  auto normal = [&](double side) { return unit(cross(edge(0, side), edge(1, side))); };
+  double least = dot(normal(-0.5), normal(0.5));
+  for (int i = 0; i < 3; ++i) least = std::min(least, dot(unit(edge(i, -0.5)), unit(edge(i, 0.5))));
+  return least;
 }
 
 /// Share of its load that a crack-face pair has handed over to contact: none until its faces overlap by no
