@@ -148,7 +148,7 @@ TEST_F(RestartFiles, need_counts) {
 TEST(Restart, needs_the_same_case) {
   std::string const nothing;
   checkpoint::Loader const from(nothing, "checkpoint_00001.bin");
-  sim::Identity const now{"2", "v3", "deck", 1, 2, 1e-6};
+  sim::Identity const now{"2", "v3", "deck", "deck", 1, 2, 1e-6};
   auto const refusal_of = [&](auto const& change) {
     auto saved = now;
     saved.version = "1";
