@@ -209,7 +209,7 @@ def _changes(changes):
 
 def _core_run(case, changes, folder, out, force, threads, quiet):
     text, name, is_text = _source(case, folder)
-    return _told(_core.Run, text, name, is_text, _changes(changes), "" if out is None else _os.fspath(out),
+    return _told(_core.Run, text, name, is_text, _changes(changes), "" if out is None else _os.path.abspath(out),
                  -1 if threads is None else _count("threads", threads, _core.most_threads), force, quiet)
 
 

@@ -181,8 +181,8 @@ class Signals(Folder):
 
 
 class Vanishing(Folder):
-    def loses(self, what, file):
-        self.begin()
+    def loses(self, what, file, *options):
+        self.begin(*options)
         what()
         _, text = self.process.communicate(timeout=120)
         self.assertEqual(self.process.returncode, 3, text)
@@ -206,6 +206,10 @@ class Vanishing(Folder):
             shutil.copy(run / "history.csv", other)
             other.rename(run / "history.csv")
         self.assertIn("another file has taken its place", self.loses(replace, "history.csv"))
+        shutil.rmtree(run)
+        self.loses(lambda: shutil.rmtree(run / "checkpoints"), "checkpoints", "--set", "output.checkpoint_steps=200")
+        shutil.rmtree(run)
+        self.loses(lambda: shutil.rmtree(run / "frames"), "frames", "--set", "output.frames_every=1 ms")
         shutil.rmtree(run)
         self.loses(lambda: shutil.rmtree(run, ignore_errors=True), "cannot")
 

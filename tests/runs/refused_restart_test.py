@@ -103,6 +103,8 @@ KINDS = {
                                                                     zero_at='"a"'), (), 2, "its zero is not known"),
     "a stop that was met before": (None, lambda text: text + '\n[[stop]]\ngauge = "u"\nabove = "-1 mm"\n', (), 2,
                                    "before the checkpoint: the run would have ended there"),
+    "one in a folder that a killed run has left": (lambda run: (run / ".lock").write_text("fissura: in use by process 1 on x\n"), None,
+                                                   ("--set", "run.dt_factor=0.5"), 2, "dt_factor"),
     "a stop of no gauge": (None, lambda text: text + '\n[[stop]]\ngauge = "no"\nabove = 1\n', (), 2, "no"),
 }
 

@@ -53,10 +53,15 @@ std::uint64_t mesh_hash(mesh::Mesh const& mesh) {
 
 std::uint64_t record_hash(Model const& m) {
   Fingerprint f;
-  auto add = [&](model::Curve const& c) { f.add(c.times), f.add(c.values), f.add(c.slopes); };
-  for (auto const& p : m.prescribed) add(p.motion.curve);
-  for (auto const& p : m.forces) add(p.curve.curve);
-  add(m.gravity.curve.curve);
+  auto add = [&](model::TimedCurve const& timed) {
+    auto const& c = timed.curve;
+    f.add(c.times), f.add(c.values), f.add(c.slopes), f.add(c.peaks);
+    f.add(std::vector<double>{timed.start, c.value, c.over, c.from, c.period});
+    f.add_number(static_cast<std::uint64_t>(c.kind));
+  };
+  for (auto const& p : m.prescribed) add(p.motion), f.add_number(p.is_velocity);
+  for (auto const& p : m.forces) add(p.curve);
+  add(m.gravity.curve);
   return f.value();
 }
 
@@ -141,6 +146,10 @@ Identity identify(Model const& m, std::string const& version) {
           m.dt};
 }
 
+void note_changed_loads(Identity& identity, Model const& m) {
+  identity.records = record_hash(m);
+}
+
 std::vector<std::string> compare(Identity const& saved, Identity const& now, checkpoint::Loader const& from) {
   if (saved.deck != now.deck) {
     auto const changes = changed_keys(saved.deck, now.deck);
@@ -153,7 +162,9 @@ std::vector<std::string> compare(Identity const& saved, Identity const& now, che
   if (saved.mesh != now.mesh)
     from.refuse("the mesh has changed since; run it anew, or with the mesh as it was");
   if (saved.records != now.records)
-    from.refuse("a record of a load has changed since; run it anew, or with the record as it was");
+    from.refuse("a record of a load has changed since, or a program has changed a load in mid-run; run it "
+                "anew, or with the "
+                "record as it was");
   if (!(std::abs(saved.dt - now.dt) <= admitted_difference * now.dt))
     from.refuse(fmt::format("the time step is {:.9g} s now and was {:.9g} s: the program finds another one, "
                             "go on with the version that wrote it ({})",

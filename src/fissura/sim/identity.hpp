@@ -24,6 +24,9 @@ struct Identity {
 
 Identity identify(model::Model const& m, std::string const& version);
 
+/// To be called after a load was changed in mid-run, which no deck tells: a restart is refused then.
+void note_changed_loads(Identity& identity, model::Model const& m);
+
 /// What two echoes of a deck do not have in common, a key a line: "[run] end_time = 2 s (was 1 s)".
 std::vector<std::string> changed_keys(std::string const& saved, std::string const& now);
 

@@ -212,6 +212,7 @@ RunResult const& Run::finish() {
 }
 void Run::change_load(std::string const& name, std::string const& key, model::Curve const& curve) {
   sim::change_load(impl_->m_, impl_->s_, name, key, curve);
+  note_changed_loads(impl_->identity_, impl_->m_);
 }
 bool Run::ended() const {
   return impl_->ended_;

@@ -65,7 +65,8 @@ class Run {
   /// Writes the last frame and the summary, before them a checkpoint if the run was stopped; a run that has
   /// not ended is "stopped" by it. Once is enough.
   RunResult const& finish();
-  /// Replaces the curve of a load from now on (sim/change_load.hpp). A checkpoint does not know of it.
+  /// Replaces the curve of a load from now on (sim/change_load.hpp). No deck tells
+  /// how, so a restart from then on is refused.
   void change_load(std::string const& name, std::string const& key, model::Curve const& curve);
 
   bool ended() const;

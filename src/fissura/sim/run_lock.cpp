@@ -30,11 +30,16 @@ std::string this_process() {
   return fmt::format("process {} on {}", ::getpid(), host.data());
 }
 
-/// What the holder has written; "another run" before it has.
-std::string holder(std::string const& path) {
+std::string first_line(std::string const& path) {
   std::ifstream in(path);
   std::string line;
   std::getline(in, line);
+  return line;
+}
+
+/// What the holder has written; "another run" before it has.
+std::string holder(std::string const& path) {
+  std::string const line = first_line(path);
   return line.size() > mark.size() && line.starts_with(mark) ? line.substr(mark.size()) : "another run";
 }
 
@@ -76,23 +81,28 @@ bool RunLock::try_once() {
                         open.st_ino == there.st_ino && open.st_dev == there.st_dev;
   if (!is_there) return ::close(file), false;
   descriptor_ = file;
-  if (::ftruncate(descriptor_, 0) != 0) output::throw_io_error("write", path_, errno); // of a killed run
+  found_ = first_line(path_);
+  if (::ftruncate(descriptor_, 0) != 0) output::throw_io_error("write", path_, errno);
   return true;
 }
 
 RunLock::~RunLock() {
   if (descriptor_ < 0) return;
-  ::unlink(path_.c_str()); // before it is let go: who comes next makes a file of its own
+  std::string const before = found_ + '\n';
+  bool const is_back = !found_.empty() && ::ftruncate(descriptor_, 0) == 0 &&
+                       ::pwrite(descriptor_, before.data(), before.size(), 0) > 0;
+  if (!is_back) ::unlink(path_.c_str()); // before it is let go: who comes next makes a file of its own
   ::close(descriptor_);
 }
 
 RunLock::RunLock(RunLock&& other) noexcept
-    : path_(std::move(other.path_)), doubt_(std::move(other.doubt_)),
+    : path_(std::move(other.path_)), doubt_(std::move(other.doubt_)), found_(std::move(other.found_)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 RunLock& RunLock::operator=(RunLock&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(doubt_, other.doubt_);
+  std::swap(found_, other.found_);
   std::swap(descriptor_, other.descriptor_);
   return *this;
 }
@@ -104,10 +114,7 @@ void RunLock::release() {
 }
 
 bool RunLock::was_left_in(std::string const& folder) {
-  std::ifstream in(path_in(folder));
-  std::string line;
-  std::getline(in, line);
-  return line.starts_with(mark);
+  return first_line(path_in(folder)).starts_with(mark);
 }
 
 } // namespace fissura::sim

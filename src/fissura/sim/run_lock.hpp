@@ -11,13 +11,14 @@ class RunLock {
   /// Takes the folder, which exists. Throws core::Error(Failure::io) if a run is at work in it (naming that),
   /// or if the file cannot be made.
   explicit RunLock(std::string const& folder);
-  /// Lets the folder go and takes the file away.
+  /// Lets the folder go as it was: without the file, or with what a killed run had left in it.
   ~RunLock();
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&& other) noexcept;
 
   bool holds() const { return descriptor_ >= 0; }
-  /// As the destructor, but throws core::Error(Failure::io) for what the system could not keep.
+  /// Lets the folder go and takes the file away, at the end of a run. Throws core::Error(Failure::io) for
+  /// what the system could not keep.
   void release();
   /// Why this file system keeps nobody out; empty where it does.
   std::string const& doubt() const { return doubt_; }
@@ -27,7 +28,7 @@ class RunLock {
 
  private:
   bool try_once();
-  std::string path_, doubt_;
+  std::string path_, doubt_, found_;
   int descriptor_ = -1;
 };
 

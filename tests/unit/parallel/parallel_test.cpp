@@ -3,11 +3,15 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
+#include "fissura/core/error.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::parallel {
@@ -133,6 +137,29 @@ TEST(Threads, wake_for_every_pass) {
   }
   EXPECT_EQ(sum, 640'000);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they need all addresses for themselves
+/// Ends the process: 0 if the threads that the system does not grant are told, with the cure.
+[[noreturn]] void ask_for_too_many() {
+  rlimit const little{256UL << 20, 256UL << 20}; // room for the stacks of some threads
+  ::setrlimit(RLIMIT_AS, &little);
+  try {
+    Threads const many(1000);
+  } catch (core::Error const& e) {
+    std::string const text = e.what();
+    std::_Exit(text.find("the system grants ") == 0 && text.find(" of 1000 threads (") != std::string::npos &&
+                       text.find("): ask for fewer") != std::string::npos
+                   ? 0
+                   : 1);
+  }
+  std::_Exit(2);
+}
+
+// Requirement: threads that the system does not grant are an error in words; those that had begun are let go.
+TEST(Threads, that_are_not_granted_are_an_error) {
+  EXPECT_EXIT(ask_for_too_many(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 } // namespace
 } // namespace fissura::parallel

@@ -273,6 +273,20 @@ TEST(ProlongedRun, cannot_be_made_shorter) {
   EXPECT_EQ(go_on(tie(4e-4), folder / "run").status, "complete");
 }
 
+// Requirement: a run whose load was changed on the way is not gone on with as if the deck told its story.
+TEST(ProlongedRun, of_changed_loads_is_refused) {
+  TemporaryFolder const folder;
+  sim::Run changed(tie(4e-4), options(folder / "run"));
+  changed.open();
+  ASSERT_TRUE(changed.step());
+  changed.change_load("pull", "velocity", constant(0.1));
+  while (changed.step()) {
+  }
+  changed.finish();
+  EXPECT_NE(refusal(tie(8e-4), folder / "run").find("a program has changed a load in mid-run"),
+            std::string::npos);
+}
+
 // Requirement: two echoes differ in the keys that are new, gone or other, each named with its item.
 TEST(ChangedKeys, are_named) {
   std::string const was = "title = \"a\"\n\n[[bar]]\nd = 1\n\n[[bar]]\nd = 2\n\n[run]\nend = 3\n";
