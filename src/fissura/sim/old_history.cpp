@@ -82,7 +82,8 @@ OldHistory read_old_history(std::string const& path, HistoryMark const& mark,
   std::string const text = bytes_of(path), wanted = output::csv_header(columns);
   std::string const header = text.substr(0, text.find('\n') + 1);
   // A run that was killed after it had written the file anew: the columns are those wanted already.
-  if (header != mark.header && header != wanted) refuse(path, "its columns are others");
+  if (header != mark.header && header != wanted)
+    refuse(path, "its columns are others than when the checkpoint was written");
   OldHistory old;
   old.column_count = columns.size() + 1;
   old.bytes = end_of_rows(path, text, mark, header == mark.header);

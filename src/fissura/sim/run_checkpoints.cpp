@@ -108,7 +108,7 @@ void Run::Impl::go_on_with(Parts const& parts, checkpoint::Loader const& load) {
 
 /// A run that has come further than it is to go cannot go back. (It ends with the step that passes its end.)
 void Run::Impl::check_end_lies_ahead(checkpoint::Loader const& load) const {
-  double const reached = s_.load_time() - m_.dt * s_.pace;
+  double const reached = s_.load_time() - 1.5 * m_.dt * s_.pace; // the pace may have fallen since
   if (end() >= reached * (1 - 1e-12)) return;
   load.refuse(fmt::format(
       "the run is to end at {:.6g} s ({}), and has come to {:.6g} s already; go on from an older "

@@ -1,6 +1,8 @@
 // A run folder is used by one run at a time.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -156,6 +158,10 @@ TEST(Force, clears_run_folders_only) {
             std::string::npos);
   EXPECT_NE(support::refusal(core::Failure::io, [&] { sim::check_may_force("/", ""); }).find("the root"),
             std::string::npos);
+  std::string const home = std::getenv("HOME") ? std::getenv("HOME") : "";
+  ::setenv("HOME", (folder / "history").c_str(), 1);
+  EXPECT_NE(refused("history").find("it is your home"), std::string::npos);
+  home.empty() ? ::unsetenv("HOME") : ::setenv("HOME", home.c_str(), 1);
 }
 
 // Requirement: numbers that have no meaning are refused before anything is done, naming the option.
