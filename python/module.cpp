@@ -2,6 +2,7 @@
 // of it in fissura/__init__.py.
 #include <chrono>
 #include <mutex>
+#include <optional>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -39,9 +40,9 @@ class Run {
   Run(Run const&) = delete;
   Run& operator=(Run const&) = delete;
 
-  /// Up to `steps` steps, or up to the time `until` [s] where it is > 0; false once the run has ended. Other
-  /// Python threads go on meanwhile; Ctrl-C is looked for ten times a second.
-  bool advance(long steps, double until) {
+  /// Up to `steps` steps, or up to the time `until` [s] where there is one; false once the run has ended.
+  /// Other Python threads go on meanwhile; Ctrl-C is looked for ten times a second.
+  bool advance(long steps, std::optional<double> until) {
     py::gil_scoped_release const released;
     auto last_look = Clock::now();
     for (bool going = true; going && steps > 0;) {
@@ -76,10 +77,10 @@ class Run {
   using Clock = std::chrono::steady_clock;
 
   /// A few steps of `steps`; false if there is nothing more to do.
-  bool some_steps(long& steps, double until) {
+  bool some_steps(long& steps, std::optional<double> until) {
     std::lock_guard const alone(mutex_);
     for (int i = 0; i < 16 && steps > 0; ++i, --steps)
-      if ((until > 0 && run_->state().time >= until) || !run_->step()) return false;
+      if ((until && run_->state().time >= *until) || !run_->step()) return false;
     return true;
   }
 
@@ -172,6 +173,7 @@ void add_run(py::module_& m) {
 PYBIND11_MODULE(_core, m) {
   m.doc() = "Fissura's library; use the package `fissura`.";
   m.attr("version") = FISSURA_VERSION;
+  m.attr("most_threads") = sim::most_threads;
   py::register_exception_translator(translate);
   add_run(m);
   m.def("check",

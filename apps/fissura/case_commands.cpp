@@ -56,9 +56,10 @@ void CaseCommands::add_run(CLI::App& app) {
   run_ = app.add_subcommand("run", "Run a case file and leave a run folder");
   add_deck(run_, deck_, set_);
   run_->add_option("--out", options_.out, "Run folder (default: <case>.run)");
-  run_->add_option("--threads", options_.threads, "Threads (default: all, or as the deck says)");
+  run_->add_option("--threads", options_.threads, "Threads, 0 for all (default: all, or as the deck says)")
+      ->check(CLI::Range(0, sim::most_threads));
   run_->add_option("--until", until_, "Stop at this time: seconds, or with a unit, \"3 ms\"");
-  run_->add_option("--walltime", options_.walltime, "Stop after so many seconds of wall time");
+  run_->add_option("--walltime", walltime_, "Stop after so much wall time: seconds, or with a unit, \"2 h\"");
   run_->add_option("--restart", options_.restart,
                    "Go on from a checkpoint, or from the newest one of a run folder");
   run_->add_flag("--quiet", options_.quiet, "Nothing on the terminal but errors");
@@ -81,9 +82,12 @@ void CaseCommands::add_new(CLI::App& app) {
 void CaseCommands::add_bench(CLI::App& app) {
   bench_ = app.add_subcommand("bench", "Time the step: ns per tet-step");
   bench_->add_option("--scene", bench_options_.scene, "One of: " + sim::bench_scene_names());
-  bench_->add_option("--tets", bench_options_.tets, "Tets, about (default 6000)");
-  bench_->add_option("--threads", bench_options_.threads, "Threads (default 1)");
-  bench_->add_option("--steps", bench_options_.steps, "Steps (default: about two seconds)");
+  bench_->add_option("--tets", bench_options_.tets, "Tets, about (default 6000)")
+      ->check(CLI::Range(1L, 100'000'000L));
+  bench_->add_option("--threads", bench_options_.threads, "Threads, 0 for all (default 1)")
+      ->check(CLI::Range(0, sim::most_threads));
+  bench_->add_option("--steps", bench_options_.steps, "Steps (default, or 0: about two seconds)")
+      ->check(CLI::Range(0L, 1'000'000'000L));
 }
 
 int CaseCommands::run() {
@@ -93,19 +97,23 @@ int CaseCommands::run() {
 }
 
 int CaseCommands::run_case() {
+  catch_signals();
+  if (run_->count("--until") > 0) options_.until = seconds("--until", until_);
+  if (run_->count("--walltime") > 0) options_.walltime = seconds("--walltime", walltime_);
   auto const c = deck::read_case(deck_, set_);
-  if (!until_.empty()) options_.until = seconds("--until", until_);
   options_.report = !no_report_;
   options_.version = version_;
   options_.deck_echo = deck::echo(c);
   options_.signal = caught_signal;
-  catch_signals();
   auto const result = sim::run_case(c, options_);
   if (result.status == "failed") {
     fmt::print(stderr, "fissura: the run failed: {}\n", result.reason);
     return 1;
   }
-  if (!options_.quiet) fmt::print("results in {}\n", result.folder);
+  if (result.folder.empty())
+    fmt::print("{}; nothing has been written\n", result.reason);
+  else if (!options_.quiet)
+    fmt::print("results in {}\n", result.folder);
   return 0;
 }
 

@@ -32,7 +32,7 @@ class CaseCommands {
 
   std::string version_;
   CLI::App *run_, *check_, *new_, *bench_;
-  std::string deck_, until_, picture_, template_, folder_;
+  std::string deck_, until_, walltime_, picture_, template_, folder_;
   std::vector<std::string> set_;
   bool no_report_ = false;
   sim::RunOptions options_;

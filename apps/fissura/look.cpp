@@ -16,6 +16,7 @@
 #include "fissura/report/compare.hpp"
 #include "fissura/report/report.hpp"
 #include "fissura/report/watch.hpp"
+#include "numbers.hpp"
 #include "python_tool.hpp"
 #include "seconds.hpp"
 
@@ -33,12 +34,16 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   picture_->add_option("--field", field_, "What colours the cracks: opening, sliding or damage")
       ->check(CLI::IsMember({"opening", "sliding", "damage"}));
   picture_->add_option("--time", time_, "Seconds (the nearest frame), also with a unit, or last");
-  picture_->add_option("--warp", warp_, "Factor on the displacements, or auto");
+  picture_->add_option("--warp", warp_, "Factor on the displacements, or auto")
+      ->check(number_within(-1e9, 1e9, "auto"));
   picture_->add_option("--up", up_, "Axis that points up: x, y or z")->check(CLI::IsMember({"x", "y", "z"}));
-  picture_->add_option("--min-damage", min_damage_, "Joints with less damage are not drawn (default 0.2)");
-  picture_->add_option(
-      "--from", least_,
-      "Cracks narrower than this [mm] are not drawn, or auto: 0.02 mm where the widest is above 0.2 mm");
+  picture_->add_option("--min-damage", min_damage_, "Joints with less damage are not drawn (default 0.2)")
+      ->check(number_within(0, 1));
+  picture_
+      ->add_option(
+          "--from", least_,
+          "Cracks narrower than this [mm] are not drawn, or auto: 0.02 mm where the widest is above 0.2 mm")
+      ->check(number_within(0, 1e9, "auto"));
   picture_->add_flag("--fragments", fragments_, "Draw the pieces instead of the cracks");
   picture_->add_option("--title", title_, "Default: that of the case");
   picture_->add_option("-o,--out", out_, "PNG to write (default: crack.png in the run folder)");
@@ -59,7 +64,7 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   compare_
       ->add_option("--tolerance", tolerance_,
                    "Mean difference over a column's range that is still equal (default 0.02)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_within(0, 1e9));
   compare_->add_option("--y", columns_, "Columns that decide (default: all gauges)")->allow_extra_args(false);
   compare_->add_option("-o,--out", out_, "Also write an HTML page with the curves over each other");
 
@@ -69,7 +74,8 @@ LookCommands::LookCommands(CLI::App& app, std::string version) : version_(std::m
   watch_->add_option("--y", columns_, "Column of the curve (default: a load)")
       ->allow_extra_args(false)
       ->expected(1);
-  watch_->add_option("--every", every_, "Seconds between two looks (default 2)")->check(CLI::PositiveNumber);
+  watch_->add_option("--every", every_, "Seconds between two looks (default 2)")
+      ->check(number_within(0.01, 86400));
   watch_->add_flag("--once", once_, "One look, then end");
 }
 
@@ -91,12 +97,13 @@ int LookCommands::report() const {
 }
 
 int LookCommands::picture() const {
+  std::string const time = time_ == "last" ? time_ : fmt::format("{}", seconds("--time", time_));
   RunFolder const run(folder_); // its own words for a folder that is none
   std::vector<std::string> words{folder_,
                                  "--field",
                                  field_,
                                  "--time",
-                                 time_ == "last" ? time_ : fmt::format("{}", seconds("--time", time_)),
+                                 time,
                                  "--warp",
                                  warp_,
                                  "--up",

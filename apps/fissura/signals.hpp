@@ -1,5 +1,6 @@
 #pragma once
-// SIGINT and SIGTERM ask a run to stop in good order; a second one ends the program at once.
+// SIGINT, SIGTERM, SIGHUP and SIGUSR1 ask a run to stop in good order; a second SIGINT or SIGTERM ends the
+// program at once. A SIGHUP that is ignored (nohup) stays ignored.
 
 /// Installs the handlers; they only raise a flag.
 void catch_signals();

@@ -12,6 +12,7 @@ Names are those of the deck and of the glossary; numbers are in SI units, texts 
 """
 import builtins as _builtins
 import json as _json
+import math as _math
 import os as _os
 
 from . import _core, deck
@@ -20,6 +21,8 @@ from .errors import FileError, InputError, RunError
 __version__ = _core.version
 __all__ = ["open", "check", "echo", "new", "templates", "views", "fields", "Run", "History", "InputError", "RunError",
            "FileError"]
+
+_MANY = 2**62  # steps: as many as it takes
 
 
 def open(case, *, set=(), out=None, force=False, threads=None, quiet=True, folder="."):
@@ -93,17 +96,19 @@ class Run:
     # ---- going on
 
     def step(self, steps=1):
-        """Makes up to so many time steps. False once the run has ended; raises RunError if it failed."""
-        return self._go(int(steps), 0.0)
+        """Makes up to so many time steps; 0: none. False once the run has ended; raises RunError if it failed."""
+        return self._go(_count("steps", steps), None)
 
     def run_until(self, time):
-        """Goes on to this time, in seconds or as a text ("5 ms"). False once the run has ended."""
-        seconds = _seconds(time)
-        return True if seconds <= self.time and not self.ended else self._go(_MANY, seconds)
+        """Goes on to this time, in seconds or as a text ("5 ms"). False once the run has ended.
+
+        A time that has been reached already leaves the run as it is.
+        """
+        return self._go(_MANY, _seconds(time))
 
     def run(self):
         """Goes on to the end and returns the summary."""
-        self._go(_MANY, 0.0)
+        self._go(_MANY, None)
         return self.summary
 
     def close(self):
@@ -190,9 +195,6 @@ class Run:
     reason = property(lambda self: self._core.result[1] if self.ended else "", doc="Why the run ended.")
 
 
-_MANY = 2**62
-
-
 def _source(case, folder):
     if isinstance(case, dict):
         return deck.text(case), _os.path.join(folder, "case"), True
@@ -207,8 +209,8 @@ def _changes(changes):
 
 def _core_run(case, changes, folder, out, force, threads, quiet):
     text, name, is_text = _source(case, folder)
-    return _told(_core.Run, text, name, is_text, _changes(changes), "" if out is None else _os.fspath(out),
-                 -1 if threads is None else threads, force, quiet)
+    return _told(_core.Run, text, name, is_text, _changes(changes), "" if out is None else _os.path.abspath(out),
+                 -1 if threads is None else _count("threads", threads, _core.most_threads), force, quiet)
 
 
 def _told(function, *arguments):
@@ -225,6 +227,18 @@ def _told(function, *arguments):
 
 
 def _seconds(time):
-    if isinstance(time, str):
-        return _core.seconds(time)
-    return float(time)
+    seconds = _core.seconds(time) if isinstance(time, str) else float(time)
+    if not (_math.isfinite(seconds) and seconds >= 0):
+        raise InputError(f"`time` must be 0 s or more, not {time!r}")
+    return seconds
+
+
+def _count(name, number, most=_MANY):
+    """A whole number from 0 to `most`; 2.0 is one, 2.5 and nan are none."""
+    try:
+        count = int(number)
+    except (OverflowError, ValueError):  # inf, nan
+        count = -1
+    if isinstance(number, str) or count != number or not 0 <= count <= most:
+        raise InputError(f"`{name}` must be a whole number from 0 to {most}, not {number!r}")
+    return count

@@ -78,6 +78,69 @@ class Runs(unittest.TestCase):
             with self.assertRaises(fissura.FileError):
                 fissura.open(TIE, out=out)
 
+    def test_numbers_of_steps_and_times(self):
+        """Nothing to do is done at once; numbers without meaning are refused, naming the argument, and change nothing."""
+        run = tie()
+        self.assertTrue(run.step(0))
+        self.assertTrue(run.run_until(0))
+        self.assertTrue(run.run_until("0 ms"))
+        self.assertEqual((run.steps, run.time), (0, 0))
+        self.assertTrue(run.step(3.0))
+        self.assertTrue(run.step(np.int64(2)))
+        self.assertTrue(run.run_until(run.time / 2), "it has been there already")
+        for bad in (-1, 2.5, float("nan"), float("inf"), -float("inf"), "3", 2**70):
+            with self.assertRaisesRegex(fissura.InputError, "`steps` must be a whole number from 0 to"):
+                run.step(bad)
+        for bad in (-1, -1e-9, float("nan"), float("inf"), "-1 ms"):
+            with self.assertRaisesRegex(fissura.InputError, "`time` must be 0 s or more"):
+                run.run_until(bad)
+        self.assertEqual(run.steps, 5)
+        for bad in (-1, 1025, 1.5, float("nan"), 10**30):
+            with self.assertRaisesRegex(fissura.InputError, "`threads` must be a whole number from 0 to 1024"):
+                fissura.open(TIE, threads=bad)
+
+    def test_one_run_at_a_time(self):
+        """A folder in which a run is at work is refused to another one, from Python or the command line, until it is closed;
+        `force` clears run folders only."""
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, "run")
+            run = fissura.open(TIE, out=out)
+            run.step(20)
+            with self.assertRaisesRegex(fissura.FileError, "is in use by process"):
+                fissura.open(TIE, out=out, force=True)
+            done = subprocess.run([PROGRAM, "run", os.path.join(out, "case.toml"), "--out", out, "--force"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            run.close()
+            self.assertFalse(os.path.exists(os.path.join(out, ".lock")))
+            fissura.open(TIE, out=out, force=True).run()
+            with self.assertRaisesRegex(fissura.FileError, "--force does not clear"):
+                fissura.open(TIE, out=folder, force=True)
+
+    def test_another_working_folder(self):
+        """A run goes on writing into its folder when the program goes elsewhere."""
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                run = fissura.open(TIE, out="run")
+                os.chdir("/")
+                run.run()
+            finally:
+                os.chdir(before)
+            self.assertTrue(os.path.exists(os.path.join(folder, "run", "run.json")))
+
+    def test_steered_runs_are_not_gone_on_with(self):
+        """The deck does not know of changed loads: the command line refuses to go on from there."""
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, "run")
+            with fissura.open(TIE, out=out) as run:
+                run.step(10)
+                run.change("pull", velocity="0.1 m/s")
+                run.step(10)
+            done = subprocess.run([PROGRAM, "run", os.path.join(out, "case.toml"), "--restart", out], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("a program has changed a load in mid-run", done.stderr)
+
     def test_changing_loads(self):
         """A load that is changed between steps goes on without a jump; what is no load is refused."""
         run = tie()

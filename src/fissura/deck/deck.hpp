@@ -28,6 +28,9 @@ model::Curve read_load_curve(std::string_view value, std::string const& key);
 /// named by its full path, so the echo can be read from any folder.
 std::string echo(model::Case const& the_case);
 
+/// The keys of one item of a section, `[[gauge]]` 2 say, as the echo writes them.
+std::string echo_item(model::Case const& the_case, std::string_view section, std::size_t item);
+
 /// docs/reference/deck.md, from the schema.
 std::string reference_markdown();
 

@@ -34,7 +34,7 @@ Section run_section() {
   f.number("local_damping", &RunSpec::local_damping, "alpha of F = -alpha |f| sign(v): dynamic relaxation.")
       .range({0, 1, false, true});
   f.integer("threads", &RunSpec::threads, "Threads; 0: all. The result does not depend on it.")
-      .range({0, 4096});
+      .range({0, 1024});
   f.integer("max_steps", &RunSpec::max_steps, "Stops after so many steps; 0: no limit.").range({0, 1e15});
   f.integer("energy_every", &RunSpec::energy_every, "Steps between two readings of the energy ledger.")
       .range({1, 1e9});

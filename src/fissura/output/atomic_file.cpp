@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -44,6 +45,16 @@ std::string read_all(int descriptor, std::size_t expected, std::string const& pa
 
 void close_file(int descriptor, std::string const& path) {
   if (::close(descriptor) != 0) throw_io_error("close", path, errno);
+}
+
+void check_in_place(int descriptor, std::string const& path) {
+  struct stat open {
+  }, there{};
+  if (::fstat(descriptor, &open) != 0) throw_io_error("look at", path, errno);
+  if (::stat(path.c_str(), &there) != 0) throw_io_error("go on writing", path, errno);
+  if (open.st_ino != there.st_ino || open.st_dev != there.st_dev)
+    throw core::Error(core::Failure::io,
+                      fmt::format("cannot go on writing '{}': another file has taken its place", path));
 }
 
 // Some network file systems refuse to flush a folder; the data is safe anyway.

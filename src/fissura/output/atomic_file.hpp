@@ -21,6 +21,10 @@ std::string read_all(int descriptor, std::size_t expected, std::string const& pa
 /// Closes a file that was written to; throws as above, for what the system could not keep after all.
 void close_file(int descriptor, std::string const& path);
 
+/// Throws as above if `path` no longer names the file that is open: it was removed or replaced, or its folder
+/// was. What is written then would be lost in silence.
+void check_in_place(int descriptor, std::string const& path);
+
 /// Makes what was renamed or removed in a folder durable; throws as above.
 void flush_folder(std::string const& folder);
 

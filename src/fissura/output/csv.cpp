@@ -27,7 +27,9 @@ std::string quoted(std::string const& field) {
   return out + '"';
 }
 
-std::string header_of(std::vector<Column> const& columns) {
+} // namespace
+
+std::string csv_header(std::vector<Column> const& columns) {
   std::string header = "time [s]";
   for (Column const& c : columns) {
     header += ',';
@@ -35,6 +37,8 @@ std::string header_of(std::vector<Column> const& columns) {
   }
   return header + '\n';
 }
+
+namespace {
 
 /// Whether the file begins with this header and has a line that ends after so many bytes.
 void check_start(std::string const& path, std::string const& header, std::uint64_t bytes) {
@@ -59,7 +63,7 @@ CsvWriter::CsvWriter(std::string path, std::vector<Column> const& columns)
     : path_(std::move(path)), columns_(columns.size()) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw_io_error("open", path_, errno);
-  std::string const header = header_of(columns);
+  std::string const header = csv_header(columns);
   try {
     write_all(descriptor_, header, path_);
   } catch (...) {
@@ -71,7 +75,7 @@ CsvWriter::CsvWriter(std::string path, std::vector<Column> const& columns)
 
 CsvWriter::CsvWriter(std::string path, std::vector<Column> const& columns, std::uint64_t bytes)
     : path_(std::move(path)), columns_(columns.size()), bytes_(bytes) {
-  check_start(path_, header_of(columns), bytes);
+  check_start(path_, csv_header(columns), bytes);
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (descriptor_ < 0) throw_io_error("open", path_, errno);
   if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) == 0) return;
@@ -94,11 +98,13 @@ void CsvWriter::row(double time, std::span<double const> values) {
   fmt::format_to(out, "{}", time);
   for (double const v : values) fmt::format_to(out, ",{}", v);
   line_.push_back('\n');
+  check_in_place(descriptor_, path_);
   write_all(descriptor_, line_, path_);
   bytes_ += line_.size();
 }
 
 void CsvWriter::flush() {
+  check_in_place(descriptor_, path_);
   if (::fsync(descriptor_) != 0) throw_io_error("flush", path_, errno);
 }
 

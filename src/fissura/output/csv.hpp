@@ -13,6 +13,9 @@ struct Column {
   std::string unit; ///< "mm", "N"; "-" without dimension
 };
 
+/// The first line of such a file.
+std::string csv_header(std::vector<Column> const& columns);
+
 class CsvWriter {
  public:
   /// Creates (empties) the file and writes `time [s],<name> [<unit>],...`; names are quoted where they must

@@ -1,7 +1,11 @@
 #include "fissura/parallel/team.hpp"
 
+#include <fmt/core.h>
 #include <immintrin.h>
 #include <sched.h>
+#include <system_error>
+
+#include "fissura/core/error.hpp"
 
 namespace fissura::parallel {
 
@@ -25,10 +29,21 @@ bool wait_a_little(int round) {
 } // namespace
 
 Team::Team(int threads) : shares_(static_cast<std::size_t>(threads)) {
-  for (std::size_t i = 1; i < shares_.size(); ++i) threads_.emplace_back([this, i] { serve(i); });
+  try {
+    for (std::size_t i = 1; i < shares_.size(); ++i) threads_.emplace_back([this, i] { serve(i); });
+  } catch (std::system_error const& e) {
+    dismiss(); // those that have begun: no destructor runs for an object that was never built
+    throw core::Error(core::Failure::run,
+                      fmt::format("the system grants {} of {} threads ({}): ask for fewer",
+                                  threads_.size() + 1, threads, e.what()));
+  }
 }
 
 Team::~Team() {
+  dismiss();
+}
+
+void Team::dismiss() {
   stop_ = true;
   state_.fetch_add(one_generation);
   state_.notify_all();

@@ -17,7 +17,7 @@ class Team {
  public:
   using Work = void (*)(void const* context, std::size_t chunk);
 
-  /// `threads` includes the one that calls run().
+  /// `threads` includes the one that calls run(). Throws core::Error if the system grants no more of them.
   explicit Team(int threads);
   ~Team();
   Team(Team const&) = delete;
@@ -37,6 +37,7 @@ class Team {
     std::size_t end = 0;
   };
 
+  void dismiss();
   void serve(std::size_t me);
   bool join(std::uint64_t& seen);
   void work_through(std::size_t me);

@@ -120,17 +120,24 @@ void choose_step(Model& m, BuildReport& report) {
 
 } // namespace
 
-Model build_model(model::Case const& c, BuildReport& report) {
+Model build_model(model::Case const& c, BuildReport& report, std::function<void()> const& between) {
+  auto const pause = [&] {
+    if (between) between();
+  };
   Model m;
   m.source = c;
+  pause();
   m.mesh = make_mesh(c.mesh);
+  pause();
   mesh::check_mesh(m.mesh, c.mesh.place);
   mesh::renumber(m.mesh);
+  pause();
   m.adjacency = mesh::make_adjacency(m.mesh);
   report.quality = mesh::measure_quality(m.mesh, m.adjacency);
   report.warnings = mesh::quality_warnings(report.quality);
   m.material_of_tet = model::assign_materials(c, m.mesh);
   model::make_blocks(m);
+  pause();
 
   auto embedded = rebar::embed_bars(m.mesh, m.adjacency, c.bars, c.steels, m.joint_of_shared_face);
   m.bars = std::move(embedded.bars);
@@ -147,7 +154,9 @@ Model build_model(model::Case const& c, BuildReport& report) {
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
   contact::check_start(m);
+  pause();
   choose_step(m, report);
+  pause();
   build_absorbing(m); // after mass scaling
   for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));
   for (auto& doubt : doubts(m, report.quality)) report.warnings.push_back(std::move(doubt));

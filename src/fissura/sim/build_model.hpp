@@ -1,5 +1,6 @@
 #pragma once
 // From a case to the immutable problem.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct BuildReport {
 };
 
 /// Reads or makes the mesh, checks and renumbers it, makes joints, bars and loads, and chooses the time step.
-/// Throws core::InputError naming the place in the deck or in the mesh.
-model::Model build_model(model::Case const& c, BuildReport& report);
+/// Throws core::InputError naming the place in the deck or in the mesh. `between` is called now and then;
+/// what it throws ends the building.
+model::Model build_model(model::Case const& c, BuildReport& report,
+                         std::function<void()> const& between = {});
 
 /// Supports, motions, forces, tractions, gravity and stages of the case, resolved to nodes; fills in
 /// overlay_tets.

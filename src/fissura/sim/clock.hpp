@@ -1,5 +1,7 @@
 #pragma once
 // When something is due during a run.
+#include <cmath>
+#include <tuple>
 
 namespace fissura::sim {
 
@@ -12,12 +14,17 @@ class Due {
     while (next_ <= time * (1 + 1e-12)) next_ = every_ * static_cast<double>(++count_);
   }
 
-  /// What a checkpoint holds: how often it has fired. The rest follows from that.
-  long count() const { return count_; }
-  void set_count(long count) {
-    count_ = count;
+  /// Goes on as a checkpoint says: `every` as it was then and how often it had fired, at `time`. Another
+  /// `every` now counts from that time on. False if the numbers cannot be.
+  bool go_on(Due const& saved, double time) {
+    double const times = every_ > 0 ? time / every_ : 0;
+    if (saved.count_ < 0 || !(std::abs(times) < 1e15)) return false;
+    count_ = every_ == saved.every_ ? saved.count_ : static_cast<long>(std::ceil(times * (1 - 1e-12)));
     next_ = every_ * static_cast<double>(count_);
+    return true;
   }
+  /// What a checkpoint holds; the rest follows from that.
+  static auto fields(auto& self) { return std::tie(self.count_, self.every_); }
 
  private:
   double every_, next_ = 0;

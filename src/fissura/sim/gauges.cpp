@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/deck/deck.hpp"
 #include "fissura/loads/curve.hpp"
 #include "fissura/loads/loads.hpp"
 #include "fissura/model/select.hpp"
@@ -322,9 +323,38 @@ Gauges::Gauges(Model const& m) {
     }
   }
   if (!wrong.empty()) throw core::InputError(std::move(wrong));
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    definitions_.push_back(deck::echo_item(m.source, "gauge", i));
+  is_new_.assign(gauges_.size(), false);
   zero_.assign(gauges_.size(), 0);
   values_.assign(gauges_.size(), 0);
   zeroed_.assign(gauges_.size(), 0);
+}
+
+std::vector<SavedGauge> Gauges::saved() const {
+  std::vector<SavedGauge> list;
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    list.push_back({definitions_[i], zero_[i], values_[i], zeroed_[i] != 0});
+  return list;
+}
+
+void Gauges::go_on_from(std::vector<SavedGauge> const& saved, Model const& m, State const& s) {
+  for (std::size_t i = 0; i < gauges_.size(); ++i) {
+    auto const found = std::find_if(saved.begin(), saved.end(),
+                                    [&](auto const& g) { return g.definition == definitions_[i]; });
+    is_new_[i] = found == saved.end();
+    if (!is_new_[i]) {
+      zero_[i] = found->zero, values_[i] = found->value, zeroed_[i] = found->is_zeroed;
+      continue;
+    }
+    auto const& g = gauges_[i];
+    if (g.zero_stage >= 0 && g.zero_stage <= s.stage && s.step > 0)
+      throw core::InputError(
+          g.spec.place,
+          fmt::format("gauge `{}` was not read when the stage `{}` began, before the checkpoint: its zero is "
+                      "not known; leave `zero_at` out, name a later stage, or run it anew",
+                      g.spec.name, m.stages[static_cast<std::size_t>(g.zero_stage)].name));
+  }
 }
 
 std::vector<output::Column> Gauges::columns() const {

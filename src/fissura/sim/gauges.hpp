@@ -31,6 +31,15 @@ struct Gauge {
   bool reads_forces = false; ///< needs the reactions at u_n: read after the step
 };
 
+/// What a checkpoint holds of a gauge.
+struct SavedGauge {
+  std::string definition; ///< its keys in the deck
+  double zero = 0, value = 0;
+  bool is_zeroed = false;
+  using ListGrows = void;
+  static auto fields(auto& self) { return std::tie(self.definition, self.zero, self.value, self.is_zeroed); }
+};
+
 class Gauges {
  public:
   /// Throws core::InputError at the gauge's place for names or places that do not exist.
@@ -51,14 +60,23 @@ class Gauges {
   /// The last readings, factor and zero applied.
   std::vector<double> const& values() const { return values_; }
 
-  /// What a checkpoint holds.
-  static auto fields(auto& self) { return std::tie(self.zero_, self.values_, self.zeroed_); }
+  /// Its keys in the deck: what it is known by.
+  std::string const& definition(std::size_t i) const { return definitions_[i]; }
+
+  std::vector<SavedGauge> saved() const;
+  /// Goes on from a checkpoint, maybe with other gauges. Throws core::InputError at a new one whose zero
+  /// would be the reading at a time that has passed.
+  void go_on_from(std::vector<SavedGauge> const& saved, model::Model const& m, state::State const& s);
+  /// Whether a gauge was not among those of the checkpoint.
+  std::vector<bool> const& is_new() const { return is_new_; }
 
  private:
   void store(std::size_t i, double raw);
   std::vector<Gauge> gauges_;
   std::vector<double> zero_, values_;
   std::vector<char> zeroed_;
+  std::vector<std::string> definitions_;
+  std::vector<bool> is_new_;
 };
 
 } // namespace fissura::sim

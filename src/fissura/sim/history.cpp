@@ -1,14 +1,11 @@
 #include "fissura/sim/history.hpp"
 
-#include <charconv>
 #include <fmt/core.h>
-#include <fstream>
-
-#include "fissura/core/error.hpp"
+#include <utility>
 
 namespace fissura::sim {
 
-History::History(std::string const& path, model::Model const& m, Gauges const& gauges, std::uint64_t kept) {
+std::vector<output::Column> History::columns_of(model::Model const& m, Gauges const& gauges) {
   auto columns = gauges.columns();
   for (auto const& p : m.prescribed)
     columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
@@ -18,40 +15,26 @@ History::History(std::string const& path, model::Model const& m, Gauges const& g
   for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
                             "bar_joints_yielded", "bars_broken", "fragments"})
     columns.push_back({count, "-"});
-  is_paced_ = m.source.run.pace > 1;
-  if (is_paced_) columns.push_back({"load_time", "s"}), columns.push_back({"pace", "-"});
+  if (m.source.run.pace > 1) columns.push_back({"load_time", "s"}), columns.push_back({"pace", "-"});
+  return columns;
+}
+
+History::History(std::string const& path, model::Model const& m, Gauges const& gauges, OldHistory old)
+    : is_paced_(m.source.run.pace > 1), rows_(std::move(old.rows)) {
+  auto const columns = columns_of(m, gauges);
   if (!path.empty())
-    csv_ = kept > 0 ? std::make_unique<output::CsvWriter>(path, columns, kept)
-                    : std::make_unique<output::CsvWriter>(path, columns);
+    csv_ = old.bytes > 0 ? std::make_unique<output::CsvWriter>(path, columns, old.bytes)
+                         : std::make_unique<output::CsvWriter>(path, columns);
   values_.reserve(columns.size());
   columns_.push_back({"time", "s"});
   columns_.insert(columns_.end(), columns.begin(), columns.end());
-  if (csv_ && kept > 0) read_rows(path);
 }
 
-/// The rows that are there already.
-void History::read_rows(std::string const& path) {
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    std::size_t const before = rows_.size();
-    char const *at = line.data(), *const end = at + line.size();
-    for (double value = 0; at < end; ++at) {
-      at = std::from_chars(at, end, value).ptr;
-      rows_.push_back(value);
-      if (at < end && *at != ',') break;
-    }
-    if (rows_.size() - before != columns_.size())
-      throw core::InputError({path}, "the run cannot go on with this file: a row has too few or too many "
-                                     "values");
-  }
-}
-
-std::uint64_t History::flush() {
-  if (!csv_) return 0;
+HistoryMark History::flush() {
+  if (!csv_) return {};
   csv_->flush();
-  return csv_->bytes();
+  return {csv_->bytes(), static_cast<std::int64_t>(rows_.size() / columns_.size()),
+          output::csv_header({columns_.begin() + 1, columns_.end()})};
 }
 
 void History::row(double time, double load_time, model::Model const& m, state::State const& s,

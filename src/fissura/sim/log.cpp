@@ -38,6 +38,7 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   void sink_it_(spdlog::details::log_msg const& message) override {
     spdlog::memory_buf_t line;
     formatter_->format(message, line);
+    output::check_in_place(descriptor_, path_);
     output::write_all(descriptor_, {line.data(), line.size()}, path_);
   }
   void flush_() override {}

@@ -12,12 +12,14 @@ namespace {
 std::string name_of(int signal) {
   return signal == SIGINT    ? "SIGINT (Ctrl-C)"
          : signal == SIGTERM ? "SIGTERM"
+         : signal == SIGHUP  ? "SIGHUP"
+         : signal == SIGUSR1 ? "SIGUSR1"
                              : fmt::format("signal {}", signal);
 }
 
 } // namespace
 
-Requests::Requests(std::function<int()> signal, double walltime)
+Requests::Requests(std::function<int()> signal, std::optional<double> walltime)
     : signal_(std::move(signal)), walltime_(walltime) {}
 
 bool Requests::take(char const* file) const {
@@ -34,12 +36,17 @@ void Requests::look_for_files() {
 
 std::optional<std::string> Requests::to_stop() {
   if (int const signal = signal_ ? signal_() : 0; signal != 0) return "stopped by " + name_of(signal);
-  if (walltime_ > 0 && std::chrono::duration<double>(clock::now() - start_).count() > walltime_)
+  if (walltime_ && std::chrono::duration<double>(clock::now() - start_).count() >= *walltime_)
     return "wall time used up";
   look_for_files();
   if (stop_) take("stop");
   if (stop_) return "a file `stop` was found in the run folder";
   return std::nullopt;
+}
+
+void Requests::check_signal() const {
+  if (int const signal = signal_ ? signal_() : 0; signal != 0)
+    throw Interrupted(fmt::format("stopped by {} before the first step", name_of(signal)));
 }
 
 bool Requests::for_output() {

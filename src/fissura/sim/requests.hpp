@@ -5,18 +5,28 @@
 #include <optional>
 #include <string>
 
+#include "fissura/core/error.hpp"
+
 namespace fissura::sim {
+
+/// A signal that came before the first step: nothing has been written.
+class Interrupted : public core::Error {
+ public:
+  explicit Interrupted(std::string const& reason) : Error(core::Failure::run, reason) {}
+};
 
 class Requests {
  public:
   /// `signal` returns the number of a signal that has come, or 0; may be empty. `walltime` [s] counts from
-  /// now; 0 = no limit. An empty folder has no files.
-  Requests(std::function<int()> signal, double walltime);
+  /// now; an empty folder has no files.
+  Requests(std::function<int()> signal, std::optional<double> walltime);
   void watch(std::string const& folder) { folder_ = folder; }
 
   /// The reason to stop, if there is one. Cheap enough for every step: files are looked for at most every 10
   /// ms. A file `stop` is removed.
   std::optional<std::string> to_stop();
+  /// To be called now and then before the first step: throws Interrupted once a signal has come.
+  void check_signal() const;
   /// Whether a file `output_now` was found; it is removed.
   bool for_output();
 
@@ -25,7 +35,7 @@ class Requests {
   void look_for_files();
   bool take(char const* file) const;
   std::function<int()> signal_;
-  double walltime_;
+  std::optional<double> walltime_;
   std::string folder_;
   clock::time_point start_ = clock::now(), next_look_ = start_;
   bool stop_ = false, output_ = false;

@@ -17,11 +17,32 @@ namespace fissura::sim {
 
 using model::Model;
 
+namespace {
+
+bool is_in_place(RunOptions const& o) {
+  return !o.restart.empty() && is_same_folder(checkpoint::run_folder_of(checkpoint::find(o.restart)), o.out);
+}
+
+/// Of the run folder, if it is there already and this run may change it: before a long time is spent on
+/// building a model for nothing.
+RunLock lock_folder(model::Case const& c, RunOptions const& o) {
+  std::error_code ec;
+  if (o.out.empty() || !std::filesystem::exists(o.out, ec)) return {};
+  bool const in_place = is_in_place(o);
+  if (!in_place && !o.force) return {}; // open() refuses
+  if (!in_place) check_may_force(o.out, c.deck_file);
+  return RunLock(o.out);
+}
+
+} // namespace
+
 Run::Impl::Impl(model::Case const& c, RunOptions const& options)
-    : options_(options), requests_(options.signal, options.walltime),
+    : options_((check_options(options), options)), lock_(lock_folder(c, options_)),
+      requests_(options.signal, options.walltime),
       threads_(options.threads >= 0 ? options.threads : c.run.threads), log_(options.quiet),
-      m_(build_model(c, report_)), s_(step::make_state(m_)), w_(step::make_scratch(m_, s_)), gauges_(m_),
-      stops_(c, gauges_), monitor_(m_), guards_(m_), pace_(m_), stages_(m_),
+      m_(build_model(c, report_, [this] { requests_.check_signal(); })), s_(step::make_state(m_)),
+      w_(step::make_scratch(m_, s_)), gauges_(m_), stops_(c, gauges_), monitor_(m_), guards_(m_), pace_(m_),
+      stages_(m_),
       history_due_(c.output.history_every > 0 ? c.output.history_every
                                               : stages_.end() / std::max(1, c.output.history_points)),
       frame_due_(c.output.frames_every > 0 ? c.output.frames_every
@@ -33,9 +54,10 @@ void Run::Impl::open() {
   if (!options_.restart.empty()) restore(checkpoint::find(options_.restart));
   if (!options_.out.empty()) open_folder();
   history_ = std::make_unique<History>(options_.out.empty() ? "" : options_.out + "/history.csv", m_, gauges_,
-                                       marks_.history);
+                                       std::move(old_history_));
   log_opening(log_, m_, report_, options_.version);
-  if (!restored_.empty()) log_restart(log_, s_, restored_, warnings_);
+  if (!restored_.empty()) log_restart(log_, s_, restored_, changes_, warnings_);
+  if (!lock_.doubt().empty()) log_.warning("{}", lock_.doubt());
   log_steps_ahead(log_, m_, end(), threads_.count());
 }
 
@@ -44,10 +66,8 @@ bool Run::Impl::step() {
   threads_.use(); // there may be several runs
   try {
     ended_ = reason_to_stop();
-    if (!ended_)
-      keep(), ended_ = advance();
-    else if (store_ && result_.status == "stopped")
-      write_checkpoint();
+    if (!ended_) keep(), ended_ = advance();
+    if (ended_ && store_) write_checkpoint(); // a run that is complete may be prolonged
   } catch (core::Error const& e) {
     if (e.failure == core::Failure::io) throw;
     if (auto const* failure = dynamic_cast<RunFailure const*>(&e)) trouble_ = failure->trouble;
@@ -86,18 +106,13 @@ bool Run::Impl::advance() {
   if (row) {
     history_->row(time, load_time, m_, s_, gauges_, energy_, monitor_);
     history_due_.done(load_time);
-    if (auto const met = stops_.met(gauges_)) {
-      result_.reason = *met;
-      return true;
-    }
+    if (auto const met = stops_.met(gauges_)) ended_by_ = {EndedBy::What::stop, *met};
   }
   if (steering)
-    if (auto const reached = follow_paths(m_, s_, gauges_, log_)) {
-      result_.reason = *reached;
-      return true;
-    }
+    if (auto const reached = follow_paths(m_, s_, gauges_, log_)) ended_by_ = {EndedBy::What::path, *reached};
   if (beat && pace_.is_on()) pace_.steer(energy_.kinetic, energy_.internal(), s_);
   if (beat) change_stage(); // on a beat of its own, so that output settings change no result
+  if (ended_by_.what != EndedBy::What::none) return result_.reason = ended_by_.reason, true;
   show_progress();
   return false;
 }
@@ -158,6 +173,7 @@ void Run::Impl::finish() {
   log_verdict(log_, m_, s_, monitor_);
   report_page_.at_end(log_);
   log_.close_file();
+  lock_.release();
 }
 
 /// After a failure; empty if there is none.
@@ -196,6 +212,7 @@ RunResult const& Run::finish() {
 }
 void Run::change_load(std::string const& name, std::string const& key, model::Curve const& curve) {
   sim::change_load(impl_->m_, impl_->s_, name, key, curve);
+  note_changed_loads(impl_->identity_, impl_->m_);
 }
 bool Run::ended() const {
   return impl_->ended_;
@@ -226,11 +243,15 @@ RunResult run_case(model::Case const& c, RunOptions const& options) {
   if (std::filesystem::exists(o.out) && !o.force && !(!old.empty() && is_same_folder(old, o.out)))
     throw core::Error(core::Failure::io,
                       fmt::format("{} exists already; choose another --out or add --force", o.out));
-  Run run(c, o);
-  run.open();
-  while (run.step()) {
+  try {
+    Run run(c, o);
+    run.open();
+    while (run.step()) {
+    }
+    return run.finish();
+  } catch (Interrupted const& e) {
+    return {"stopped", e.what(), ""};
   }
-  return run.finish();
 }
 
 } // namespace fissura::sim

@@ -1,10 +1,19 @@
 #include "fissura/sim/run_folder.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/core.h>
+#include <fstream>
+#include <iterator>
+#include <pwd.h>
 #include <set>
+#include <unistd.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/sim/run_lock.hpp"
 
 namespace fissura::sim {
 
@@ -61,6 +70,33 @@ void shorten(fs::path const& file, std::uint64_t bytes) {
   if (ec) fail("cut back", file, ec);
 }
 
+std::string home() {
+  if (char const* named = std::getenv("HOME"); named && *named) return named;
+  auto const* user = ::getpwuid(::geteuid());
+  return user && user->pw_dir ? user->pw_dir : "/";
+}
+
+bool begins_with(fs::path const& file, std::string_view words) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(words.size(), '\0');
+  return in.read(start.data(), static_cast<std::streamsize>(start.size())) && start == words;
+}
+
+bool has_checkpoint(fs::path const& folder) {
+  for (auto const& file : files_in(folder / "checkpoints"))
+    if (file.extension() == ".bin" && file.filename().string().starts_with("checkpoint_")) return true;
+  return false;
+}
+
+/// By what only a run leaves behind; a case.toml may be somebody's deck.
+bool holds_a_run(fs::path const& folder) {
+  if (begins_with(folder / "history.csv", "time [s]") || has_checkpoint(folder)) return true;
+  if (RunLock::was_left_in(folder.string())) return true; // killed before it had written anything
+  std::ifstream in(folder / "run.json");
+  std::string const summary{std::istreambuf_iterator<char>(in), {}};
+  return summary.find("\"state_hash\"") != std::string::npos;
+}
+
 } // namespace
 
 std::uint64_t size_of(std::string const& path) {
@@ -86,6 +122,33 @@ void make_folder(std::string const& folder, bool force) {
   if (ec)
     throw core::Error(core::Failure::io,
                       fmt::format("{}: cannot create the run folder: {}", folder, ec.message()));
+}
+
+void check_may_force(std::string const& folder, std::string const& deck_file) {
+  std::error_code ec;
+  if (!fs::exists(folder, ec)) return;
+  auto const refuse = [&](std::string const& why) {
+    throw core::Error(core::Failure::io,
+                      fmt::format("--force does not clear {}: {}; choose another --out", folder, why));
+  };
+  if (!fs::is_directory(folder, ec)) refuse("it is no folder");
+  if (is_same_folder(folder, "/")) refuse("it is the root of all files");
+  if (is_same_folder(folder, home())) refuse("it is your home");
+  if (!deck_file.empty() && is_same_folder(folder, fs::absolute(deck_file).parent_path().string()))
+    refuse("the deck itself lies in it");
+  if (files_in(folder).empty() || holds_a_run(folder)) return;
+  refuse("it is no run folder (it holds files, but neither history.csv, run.json nor checkpoints of a run)");
+}
+
+void check_can_go_on_in(std::string const& folder) {
+  std::error_code ec;
+  for (char const* name : {"", "/checkpoints", "/frames", "/history.csv", "/log.txt"}) {
+    std::string const path = folder + name;
+    if (!fs::exists(path, ec)) continue;
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+      throw core::Error(core::Failure::io, fmt::format("cannot write '{}': {}; nothing has been changed",
+                                                       path, std::strerror(errno)));
+  }
 }
 
 bool is_same_folder(std::string const& a, std::string const& b) {

@@ -24,6 +24,7 @@
 #include "fissura/sim/requests.hpp"
 #include "fissura/sim/run.hpp"
 #include "fissura/sim/run_folder.hpp"
+#include "fissura/sim/run_lock.hpp"
 #include "fissura/sim/stages.hpp"
 #include "fissura/sim/stops.hpp"
 #include "fissura/sim/terminal.hpp"
@@ -37,6 +38,14 @@ struct Slot {
   int tet = -1;
   using ListGrows = void;
   static auto fields(auto& self) { return std::tie(self.tet); }
+};
+
+/// What has ended a run, beside the time: a checkpoint remembers it.
+struct EndedBy {
+  enum class What : int { none, stop, path };
+  What what = What::none;
+  std::string reason;
+  static auto fields(auto& self) { return std::tie(self.what, self.reason); }
 };
 
 class Run::Impl {
@@ -61,18 +70,29 @@ class Run::Impl {
   /// Of all parts of the run together.
   double wall_seconds() const { return wall_before_ + progress_.elapsed(); }
   /// When this part of the run ends at the latest [s].
-  double end() const { return options_.until > 0 ? std::min(stages_.end(), options_.until) : stages_.end(); }
+  double end() const { return options_.until ? std::min(stages_.end(), *options_.until) : stages_.end(); }
 
   // What is kept.
   void open_folder();
+  void make_new_folder();
   void open_old_folder();
-  template <class Archive> void visit(Archive& archive);
+  /// Those parts of a checkpoint that may not fit the run that goes on.
+  struct Parts {
+    std::vector<SavedGauge> gauges;
+    std::vector<SavedStop> stops;
+    Due history_due{0}, frame_due{0};
+  };
+  template <class Archive> void visit(Archive& archive, Parts& parts);
   void restore(std::string const& path);
+  void check_restored(checkpoint::Loader const& load, Parts const& parts);
+  void go_on_with(Parts const& parts, checkpoint::Loader const& load);
+  void check_end_lies_ahead(checkpoint::Loader const& load) const;
   void write_checkpoint();
   void keep();
   bool is_checkpoint_due();
 
   RunOptions options_;
+  RunLock lock_; ///< of a folder that was there before
   Requests requests_;
   parallel::Threads threads_;
   Log log_;
@@ -102,10 +122,13 @@ class Run::Impl {
   FileMarks marks_;                          ///< at the last checkpoint
   std::vector<Slot> slots_;                  ///< at the last checkpoint
   std::string restored_;                     ///< the checkpoint this run goes on from
-  std::vector<std::string> warnings_;        ///< of the restart
-  double wall_before_ = 0;                   ///< wall time of earlier parts of the run [s]
-  double kept_at_ = 0;                       ///< wall time of the last checkpoint since the start [s]
-  long kept_step_ = -1;                      ///< its step
+  OldHistory old_history_;                   ///< what is in the file up to it
+  EndedBy ended_by_;
+  std::vector<std::string> warnings_; ///< of the restart
+  std::vector<std::string> changes_;  ///< of the deck since the checkpoint
+  double wall_before_ = 0;            ///< wall time of earlier parts of the run [s]
+  double kept_at_ = 0;                ///< wall time of the last checkpoint since the start [s]
+  long kept_step_ = -1;               ///< its step
 };
 
 } // namespace fissura::sim

@@ -35,8 +35,9 @@ void log_opening(Log& log, Model const& m, BuildReport const& report, std::strin
 }
 
 void log_restart(Log& log, State const& s, std::string const& checkpoint,
-                 std::vector<std::string> const& warnings) {
+                 std::vector<std::string> const& changes, std::vector<std::string> const& warnings) {
   log.info("goes on from {} at t = {:.5g} s, step {}", checkpoint, s.time, s.step);
+  for (auto const& change : changes) log.info("changed since: {}", change);
   for (auto const& warning : warnings) log.warning("{}", warning);
 }
 

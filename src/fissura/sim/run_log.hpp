@@ -17,7 +17,7 @@ class Log;
 void log_opening(Log& log, model::Model const& m, BuildReport const& report, std::string const& version);
 /// The checkpoint a run goes on from, and what is different now.
 void log_restart(Log& log, state::State const& s, std::string const& checkpoint,
-                 std::vector<std::string> const& warnings);
+                 std::vector<std::string> const& changes, std::vector<std::string> const& warnings);
 /// What lies ahead until `end` [s].
 void log_steps_ahead(Log& log, model::Model const& m, double end, int threads);
 

@@ -36,6 +36,12 @@ bool loads_change(Model const& m, State const& s) {
 Stages::Stages(Model const& m)
     : end_(m.source.run.end_time > 0 ? m.source.run.end_time : length_from(m, 0)) {}
 
+void Stages::go_on_from(Model const& m, State const& s) {
+  bool const has_settled = settled_ >= 3 && s.stage + 1 == static_cast<int>(m.stages.size());
+  if (has_settled) return;
+  end_ = m.source.run.end_time > 0 ? m.source.run.end_time : s.stage_start[s.stage] + length_from(m, s.stage);
+}
+
 bool Stages::go_on(Model const& m, State& s, bool is_quiet) {
   double const now = s.load_time();
   settled_ = is_quiet && !loads_change(m, s) ? settled_ + 1 : 0;

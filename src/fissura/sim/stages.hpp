@@ -19,6 +19,9 @@ class Stages {
   /// begun.
   bool go_on(model::Model const& m, state::State& s, bool is_quiet);
 
+  /// Goes on from a checkpoint, maybe with another `end_time` or length of the last stage.
+  void go_on_from(model::Model const& m, state::State const& s);
+
   /// What a checkpoint holds.
   static auto fields(auto& self) { return std::tie(self.end_, self.settled_); }
 

@@ -8,8 +8,20 @@
 
 #include "fissura/model/case.hpp"
 #include "fissura/sim/gauges.hpp"
+#include "fissura/sim/old_history.hpp"
 
 namespace fissura::sim {
+
+/// What a checkpoint holds of a condition.
+struct SavedStop {
+  std::string definition; ///< its keys in the deck and those of its gauge
+  std::array<double, 5>
+      last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
+  std::size_t readings = 0;
+  double peak = 0; ///< largest |mean| so far
+  using ListGrows = void;
+  static auto fields(auto& self) { return std::tie(self.definition, self.last, self.readings, self.peak); }
+};
 
 class Stops {
  public:
@@ -17,22 +29,22 @@ class Stops {
   /// The first condition that the present readings meet, in words.
   std::optional<std::string> met(Gauges const& gauges);
 
-  /// What a checkpoint holds.
-  static auto fields(auto& self) { return std::tie(self.watches_); }
+  std::vector<SavedStop> saved() const;
+  /// Goes on from a checkpoint, maybe with other conditions; those that are new look at the rows of the
+  /// history so far. Throws core::InputError at one that they have met. True if all are as they were.
+  bool go_on_from(std::vector<SavedStop> const& saved, OldHistory const& old, Gauges const& gauges);
 
  private:
   struct Watch {
     model::StopSpec spec;
     int gauge;
     std::string unit;
-    std::array<double, 5>
-        last{}; ///< the last readings: a load "has fallen" when their mean has, not at a spike
-    std::size_t readings = 0;
-    double peak = 0; ///< largest |mean| so far
+    SavedStop memory;
 
+    std::optional<std::string> met(double reading);
     double mean_with(double reading);
-    static auto fields(auto& self) { return std::tie(self.last, self.readings, self.peak); }
   };
+  void look_back(Watch& watch, OldHistory const& old, Gauges const& gauges) const;
   std::vector<Watch> watches_;
 };
 

@@ -126,5 +126,23 @@ TEST(AtomicFile, RenameFails) {
   EXPECT_FALSE(fs::exists(path + ".part"));
 }
 
+// Requirement: a file that is written to bit by bit must still be where its name says: not removed, not
+// replaced.
+TEST(AtomicFile, KnowsWhetherItIsStillThere) {
+  TemporaryFolder folder;
+  std::string const path = folder / "f";
+  int const descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT, 0666);
+  EXPECT_NO_THROW(check_in_place(descriptor, path));
+  fs::remove(path);
+  expect_io_error([&] { check_in_place(descriptor, path); },
+                  {"cannot go on writing '" + path, "No such file or directory"});
+  replace_file(path, "another");
+  expect_io_error([&] { check_in_place(descriptor, path); },
+                  {"cannot go on writing '" + path, "another file has taken its place"});
+  close_file(descriptor, path);
+  expect_io_error([&] { check_in_place(descriptor, path); },
+                  {"cannot look at '" + path, "Bad file descriptor"});
+}
+
 } // namespace
 } // namespace fissura::output

@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
+#include "fissura/core/error.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::parallel {
@@ -133,6 +137,28 @@ TEST(Threads, wake_for_every_pass) {
   }
   EXPECT_EQ(sum, 640'000);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they need all addresses for themselves
+// Requirement: threads that the system does not grant are an error in words; those that had begun are let go.
+TEST(Threads, that_are_not_granted_are_an_error) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+  rlimit const little{std::min<rlim_t>(before.rlim_cur, 512UL << 20), before.rlim_max}; // some stacks' worth
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &little), 0);
+  std::string text;
+  try {
+    Threads const many(1000);
+  } catch (core::Error const& e) {
+    text = e.what();
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_EQ(text.find("the system grants "), 0U) << text;
+  EXPECT_NE(text.find(" of 1000 threads ("), std::string::npos) << text;
+  EXPECT_NE(text.find("): ask for fewer"), std::string::npos) << text;
+  Threads const two(2);
+  EXPECT_EQ(two.count(), 2);
+}
+#endif
 
 } // namespace
 } // namespace fissura::parallel

@@ -45,6 +45,24 @@ TEST(Due, does_not_drift) {
   EXPECT_EQ(fired, 3000);
 }
 
+// Requirement: what goes on from a checkpoint fires when it would have fired; with another interval, at the
+// next multiple of that.
+TEST(Due, goes_on) {
+  Due saved(0.1);
+  for (int i = 0; i <= 25; ++i)
+    if (saved.at(0.01 * i)) saved.done(0.01 * i);
+  Due same(0.1), other(0.07), off(0);
+  EXPECT_TRUE(same.go_on(saved, 0.26) && other.go_on(saved, 0.26) && off.go_on(saved, 0.26));
+  EXPECT_FALSE(same.at(0.29));
+  EXPECT_TRUE(same.at(0.3));
+  EXPECT_FALSE(other.at(0.27));
+  EXPECT_TRUE(other.at(0.28));
+  EXPECT_FALSE(off.at(1));
+  EXPECT_TRUE(other.go_on(saved, 0.35));
+  EXPECT_TRUE(other.at(0.35)) << "a multiple itself is still to come";
+  EXPECT_FALSE(Due(1e-300).go_on(saved, 1)) << "no number of times";
+}
+
 // Requirement: durations read in the largest fitting units.
 TEST(Progress, durations_are_readable) {
   EXPECT_EQ(readable_duration(12.2), "12 s");

@@ -18,7 +18,7 @@ using output::testing::TemporaryFolder;
 // Requirement: nothing stops a run that nobody asks, with or without a folder.
 TEST(Requests, are_silent_unless_asked) {
   TemporaryFolder const folder;
-  Requests alone({}, 0), watching([] { return 0; }, 1000);
+  Requests alone({}, {}), watching([] { return 0; }, 1000);
   watching.watch(folder.name());
   EXPECT_FALSE(alone.to_stop());
   EXPECT_FALSE(watching.to_stop());
@@ -28,14 +28,37 @@ TEST(Requests, are_silent_unless_asked) {
 // Requirement: a signal is heard at once and named.
 TEST(Requests, hear_signals) {
   int signal = 0;
-  Requests requests([&] { return signal; }, 0);
+  Requests requests([&] { return signal; }, {});
   EXPECT_FALSE(requests.to_stop());
   signal = SIGINT;
   EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGINT (Ctrl-C)");
   signal = SIGTERM;
   EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGTERM");
+  signal = SIGHUP;
+  EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGHUP");
   signal = SIGUSR1;
+  EXPECT_EQ(requests.to_stop().value_or(""), "stopped by SIGUSR1");
+  signal = SIGWINCH;
   EXPECT_NE(requests.to_stop().value_or("").find("signal"), std::string::npos);
+}
+
+// Requirement: a signal that comes while a model is built ends the building and is named.
+TEST(Requests, hear_signals_before_the_first_step) {
+  int signal = 0;
+  Requests const requests([&] { return signal; }, {});
+  EXPECT_NO_THROW(requests.check_signal());
+  signal = SIGTERM;
+  try {
+    requests.check_signal();
+    FAIL() << "no error";
+  } catch (Interrupted const& e) {
+    EXPECT_STREQ(e.what(), "stopped by SIGTERM before the first step");
+  }
+}
+
+// Requirement: a wall time of nothing is used up at once.
+TEST(Requests, know_no_time_at_all) {
+  EXPECT_EQ(Requests({}, 0.0).to_stop().value_or(""), "wall time used up");
 }
 
 // Requirement: the wall time counts from the start.
@@ -49,7 +72,7 @@ TEST(Requests, know_the_wall_time) {
 // Requirement: files are found within some 10 ms, answered once and removed.
 TEST(Requests, find_files) {
   TemporaryFolder const folder;
-  Requests requests({}, 0);
+  Requests requests({}, {});
   requests.watch(folder.name());
   std::ofstream(folder / "output_now") << "";
   std::this_thread::sleep_for(std::chrono::milliseconds(15));

@@ -148,7 +148,7 @@ TEST_F(RestartFiles, need_counts) {
 TEST(Restart, needs_the_same_case) {
   std::string const nothing;
   checkpoint::Loader const from(nothing, "checkpoint_00001.bin");
-  sim::Identity const now{"2", "v3", "deck", 1, 2, 1e-6};
+  sim::Identity const now{"2", "v3", "deck", "deck", 1, 2, 1e-6};
   auto const refusal_of = [&](auto const& change) {
     auto saved = now;
     saved.version = "1";
@@ -159,7 +159,9 @@ TEST(Restart, needs_the_same_case) {
   expect_part(refusal_of([](auto& saved) { saved.mesh = 9; }),
               "the mesh has changed since; run it anew, or with the mesh as it was");
   expect_part(refusal_of([](auto& saved) { saved.records = 9; }),
-              "a record of a load has changed since; run it anew, or with the record as it was");
+              "a record of a load has changed since, or a program has changed a load in mid-run; run it "
+              "anew, or with "
+              "the record as it was");
   expect_part(refusal_of([](auto& saved) { saved.dt = 2e-6; }),
               "the time step is 1e-06 s now and was 2e-06 s: the program finds another one, go on with the "
               "version that wrote it (1)");

@@ -248,7 +248,7 @@ TEST(RunFolder, is_never_overwritten_without_force) {
 TEST(RunFolder, force_keeps_foreign_files) {
   TemporaryFolder const folder;
   auto o = options_for(folder / "run");
-  fs::create_directories(folder / "run");
+  sim::run_case(small_tie(), o);
   std::ofstream(folder / "run/notes.txt") << "mine";
   o.force = true;
   sim::run_case(small_tie(), o);
