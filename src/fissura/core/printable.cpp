@@ -43,10 +43,12 @@ std::string shown(std::string_view text, std::string_view kept) {
     Sign const sign = first_sign(text);
     if (sign.length == 0)
       out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
-    else if (!is_obeyed(sign.number) || (sign.length == 1 && kept.find(text.front()) != std::string_view::npos))
+    else if (!is_obeyed(sign.number) ||
+             (sign.length == 1 && kept.find(text.front()) != std::string_view::npos))
       out += text.substr(0, sign.length);
     else
-      out += sign.number < 0x100 ? fmt::format("\\x{:02x}", sign.number) : fmt::format("\\u{:04x}", sign.number);
+      out +=
+          sign.number < 0x100 ? fmt::format("\\x{:02x}", sign.number) : fmt::format("\\u{:04x}", sign.number);
     text.remove_prefix(std::max<std::size_t>(sign.length, 1));
   }
   return out;

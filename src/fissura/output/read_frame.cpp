@@ -178,7 +178,8 @@ std::vector<To> FrameFile::read(std::string const& section, std::string const& n
     refuse(fmt::format("array '{}': {}", name, error.what()));
   }
   if (e.tuples && values.size() != *e.tuples * components)
-    refuse(fmt::format("array '{}' has {} values instead of {}", name, values.size(), *e.tuples * components));
+    refuse(
+        fmt::format("array '{}' has {} values instead of {}", name, values.size(), *e.tuples * components));
   return values;
 }
 

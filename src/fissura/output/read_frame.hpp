@@ -1,6 +1,7 @@
 #pragma once
 // Reads the frames that write_vtu and write_vtp have written: the header at once, each array when it is asked
-// for. Frames come from the disk, and so from anywhere: nothing in one is believed before it has been checked.
+// for. Frames come from the disk, and so from anywhere: nothing in one is believed before it has been
+// checked.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -35,7 +36,8 @@ class FrameFile {
 
   /// All values of one array, converted; throws core::Error(Failure::io) if it is missing or damaged, or has
   /// another number of components.
-  std::vector<float> floats(std::string const& section, std::string const& name, std::size_t components = 1) const;
+  std::vector<float> floats(std::string const& section, std::string const& name,
+                            std::size_t components = 1) const;
   std::vector<double> doubles(std::string const& section, std::string const& name,
                               std::size_t components = 1) const;
   std::vector<std::int64_t> integers(std::string const& section, std::string const& name) const;

@@ -81,7 +81,8 @@ void VtkFile::add_frame_data(Grid const& grid) {
   pugi::xml_node field = body_.append_child("FieldData");
   if (grid.time)
     add(field, "TimeValue", 1, std::vector<double>{*grid.time}).append_attribute("NumberOfTuples") = 1;
-  for (Names const& list : grid.names) { // as VTK writes text: the number of each byte, a zero after each name
+  for (Names const& list :
+       grid.names) { // as VTK writes text: the number of each byte, a zero after each name
     pugi::xml_node node = field.append_child("Array");
     node.append_attribute("type") = "String";
     node.append_attribute("Name") = list.name.c_str();

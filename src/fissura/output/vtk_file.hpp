@@ -26,7 +26,8 @@ class VtkFile {
   /// Points with their fields, and the fields of the cells.
   void add_fields(pugi::xml_node piece, Grid const& grid);
   template <class T>
-  pugi::xml_node add(pugi::xml_node parent, std::string_view name, int components, std::vector<T> const& values) {
+  pugi::xml_node add(pugi::xml_node parent, std::string_view name, int components,
+                     std::vector<T> const& values) {
     return add(parent, vtk_type<T>(), name, components,
                {reinterpret_cast<char const*>(values.data()), values.size() * sizeof(T)});
   }
@@ -58,8 +59,8 @@ template <class T> constexpr char const* VtkFile::vtk_type() {
     return "Int64";
 }
 
-/// Throws core::Error(Failure::run) where the sizes of the grid contradict each other: a viewer would crash on
-/// such a file, and hide the mistake until long after the run.
+/// Throws core::Error(Failure::run) where the sizes of the grid contradict each other: a viewer would crash
+/// on such a file, and hide the mistake until long after the run.
 void check_grid(std::string const& path, Grid const& grid);
 
 /// Throws core::Error(Failure::run) "cannot write '<path>': <why>".

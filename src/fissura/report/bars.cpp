@@ -18,8 +18,9 @@ double distance(float const* p, float const* q) {
 /// Bar and copy of each element: elements lie one after the other along the polylines, two points to each.
 std::vector<std::pair<std::int64_t, std::int64_t>> owners(FrameFile const& file) {
   if (file.has("Cells", "types"))
-    file.refuse("its bars are as earlier versions of Fissura wrote them; make the page with the version that made "
-                "the run (run.json names it), or run the case again");
+    file.refuse(
+        "its bars are as earlier versions of Fissura wrote them; make the page with the version that made "
+        "the run (run.json names it), or run the case again");
   auto const lines = file.cell_list("Lines");
   auto const bars = file.integers("CellData", "bar"), copies = file.integers("CellData", "copy");
   std::vector<std::pair<std::int64_t, std::int64_t>> of_element;

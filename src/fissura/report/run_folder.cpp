@@ -110,7 +110,8 @@ History read_history(std::string const& path) {
       continue;
     }
     if (fields.size() != h.columns.size())
-      refuse(path, fmt::format("line {} has {} values for {} columns", line, fields.size(), h.columns.size()));
+      refuse(path,
+             fmt::format("line {} has {} values for {} columns", line, fields.size(), h.columns.size()));
     for (std::size_t i = 0; i < fields.size(); ++i) {
       auto const value = number(fields[i]);
       if (!value) refuse(path, fmt::format("line {}: '{}' is no number", line, fields[i].substr(0, 40)));
@@ -130,7 +131,8 @@ std::vector<Frame> read_frames(std::string const& path) {
     auto const time = number(n.attribute("timestep").value());
     std::string const file = n.attribute("file").value();
     if (!time || !std::isfinite(*time)) refuse(path, fmt::format("frame {} has no time", frames.size() + 1));
-    if (!is_inside(file)) refuse(path, fmt::format("it names '{}', which does not lie in the run folder", file));
+    if (!is_inside(file))
+      refuse(path, fmt::format("it names '{}', which does not lie in the run folder", file));
     frames.push_back({*time, (fs::path(path).parent_path() / file).string()});
   }
   std::stable_sort(frames.begin(), frames.end(),

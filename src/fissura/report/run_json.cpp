@@ -32,13 +32,31 @@ int depth_of(std::string const& text) {
   return most;
 }
 
-constexpr char const* words[] = {"status", "reason", "version", "title", "kernels", "stable_dt_limiter", "state_hash"};
-constexpr char const* numbers[] = {
-    "threads",          "tets",           "joints",         "bar_elements",         "bar_joints",
-    "dt",               "steps",          "time",           "mean_pace",            "wall_seconds",
-    "joints_damaged",   "joints_cracked", "joints_broken",  "bar_joints_activated", "bar_joints_yielded",
-    "bars_broken",      "added_mass",     "total_mass",     "energy_residual",      "max_kinetic_ratio",
-    "quasi_static_share", "force_imbalance", "tet_steps_per_second"};
+constexpr char const* words[] = {"status",    "reason", "version", "title", "kernels", "stable_dt_limiter",
+                                 "state_hash"};
+constexpr char const* numbers[] = {"threads",
+                                   "tets",
+                                   "joints",
+                                   "bar_elements",
+                                   "bar_joints",
+                                   "dt",
+                                   "steps",
+                                   "time",
+                                   "mean_pace",
+                                   "wall_seconds",
+                                   "joints_damaged",
+                                   "joints_cracked",
+                                   "joints_broken",
+                                   "bar_joints_activated",
+                                   "bar_joints_yielded",
+                                   "bars_broken",
+                                   "added_mass",
+                                   "total_mass",
+                                   "energy_residual",
+                                   "max_kinetic_ratio",
+                                   "quasi_static_share",
+                                   "force_imbalance",
+                                   "tet_steps_per_second"};
 
 void check_number(Json const& in, std::string const& key, std::string const& name) {
   auto const found = in.find(key);

@@ -11,8 +11,8 @@
 
 namespace fissura::report {
 
-using output::Json;
 using output::FrameFile;
+using output::Json;
 
 namespace {
 
@@ -116,8 +116,8 @@ void add_rigid(Blob& blob, Frames const& files, std::vector<std::size_t> const& 
   for (std::size_t n = 0; n < chosen.size(); ++n) {
     FrameFile const frame = files.read(chosen[n]);
     if (frame.points() != first.points()) frame.refuse("it has other triangles than the first frame");
-    scales.push_back(blob.add_quantised(fmt::format("rigid/u/{}", n),
-                                        all(frame.floats("PointData", "displacement", 3))));
+    scales.push_back(
+        blob.add_quantised(fmt::format("rigid/u/{}", n), all(frame.floats("PointData", "displacement", 3))));
   }
   blob.meta["scene"]["rigid"] = {{"u", scales}};
 }

@@ -32,11 +32,16 @@ struct PointFields {
     broken.push_back(any && b.is_broken(j));
   }
   std::vector<Array> arrays() const {
-    return {{"displacement", 3, displacement, "m"}, {"radius", 1, radius, "m"},
-            {"stress", 1, stress, "Pa"},            {"strain", 1, strain, "-"},
-            {"joint", 1, joint, "-"},               {"joint_stress", 1, joint_stress, "Pa"},
-            {"joint_strain", 1, joint_strain, "-"}, {"slip", 1, slip, "m"},
-            {"normalised_slip", 1, normalised, "-"}, {"yielded", 1, yielded, "-"},
+    return {{"displacement", 3, displacement, "m"},
+            {"radius", 1, radius, "m"},
+            {"stress", 1, stress, "Pa"},
+            {"strain", 1, strain, "-"},
+            {"joint", 1, joint, "-"},
+            {"joint_stress", 1, joint_stress, "Pa"},
+            {"joint_strain", 1, joint_strain, "-"},
+            {"slip", 1, slip, "m"},
+            {"normalised_slip", 1, normalised, "-"},
+            {"yielded", 1, yielded, "-"},
             {"broken", 1, broken, "-"}};
   }
 };
@@ -59,14 +64,16 @@ Carried carried(Model const& m, State const& s, int tet, std::array<double, 4> c
 
 /// Whether the bar runs on from one element to the next one: not across a gap in the concrete, nor where it
 /// has ruptured.
-bool runs_on(State const& s, model::BarElement const& from, model::BarElement const& to, Vec3 end, Vec3 start) {
+bool runs_on(State const& s, model::BarElement const& from, model::BarElement const& to, Vec3 end,
+             Vec3 start) {
   if (from.bar != to.bar || from.copy != to.copy) return false;
   if (from.joint1 >= 0 && from.joint1 == to.joint0)
     return !s.bars.is_broken(static_cast<std::size_t>(from.joint1));
   return norm(end - start) <= 1e-6 * std::min(from.length, to.length); // bonded: no joint between them
 }
 
-/// What the numbers of bars stand for: the bar's name, the cage or curve of the mesh it comes from, its steel.
+/// What the numbers of bars stand for: the bar's name, the cage or curve of the mesh it comes from, its
+/// steel.
 std::vector<output::Names> names(Model const& m) {
   output::Names bars{"bar_names", {}}, groups{"group_names", {}}, steels{"steel_names", {}};
   for (auto const& b : m.source.bars) {
@@ -92,7 +99,8 @@ Grid bar_lines(Model const& m, State const& s) {
     Carried begin = carried(m, s, e.tet, e.w0);
     Carried const end = carried(m, s, e.tet, e.w1);
     bool const goes_on = i > 0 && runs_on(s, elements[i - 1], e, last, begin.position);
-    // Both sides of a joint are one place; what rounding leaves between them would be a direction to a filter.
+    // Both sides of a joint are one place; what rounding leaves between them would be a direction to a
+    // filter.
     if (goes_on) begin.position = last;
     for (Carried const& p : {begin, end}) {
       g.connectivity.push_back(static_cast<std::int64_t>(g.points.size()));
@@ -100,7 +108,8 @@ Grid bar_lines(Model const& m, State const& s) {
       append(fields.displacement, p.displacement);
       fields.radius.push_back(static_cast<float>(properties.diameter / 2));
       fields.stress.push_back(static_cast<float>(s.bars.element_stress[i]));
-      fields.strain.push_back(static_cast<float>(s.bars.elongation[i] / e.length + properties.initial_strain));
+      fields.strain.push_back(
+          static_cast<float>(s.bars.elongation[i] / e.length + properties.initial_strain));
     }
     fields.add_joint(s, e.joint0), fields.add_joint(s, e.joint1);
     last = end.position;

@@ -30,8 +30,8 @@ void add_cell(Grid& g, std::uint8_t type, int count) {
   g.types.push_back(type);
 }
 
-/// Cracks only where there are joints, rigid bodies only where there are some, the surface unless it is switched
-/// off.
+/// Cracks only where there are joints, rigid bodies only where there are some, the surface unless it is
+/// switched off.
 bool is_written(Model const& m, std::string_view collection) {
   if (collection == "cracks") return m.joints.count > 0;
   if (collection == "rigid") return !m.rigid.empty();
@@ -125,7 +125,7 @@ bool is_poly_data(std::string_view collection) {
 }
 
 FieldWriter::FieldWriter(std::string const& folder) : folder_(folder) {
-  for (char const* name : collections) lists_.emplace_back(fmt::format("{}/{}.pvd", folder, name));
+  for (std::string_view const name : collections) lists_.emplace_back(fmt::format("{}/{}.pvd", folder, name));
   std::error_code ec;
   std::filesystem::create_directories(folder + "/frames", ec);
   if (ec)

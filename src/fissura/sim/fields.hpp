@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fissura/model/model.hpp"
-#include "fissura/output/pvd.hpp"
 #include "fissura/output/grid.hpp"
+#include "fissura/output/pvd.hpp"
 #include "fissura/state/state.hpp"
 
 namespace fissura::sim {
@@ -22,8 +22,8 @@ output::Grid crack_grid(model::Model const& m, state::State const& s);
 output::Grid crack_frame(model::Model const& m, state::State const& s);
 /// Bar elements as lines (stress) and bar joints as vertices (slip, strain, stress), for Python.
 output::Grid bar_grid(model::Model const& m, state::State const& s);
-/// Bars as polylines, as frames have them: one per bar, two where it has ruptured or leaves the concrete for a
-/// while. Points are the ends of bar elements, two to each, in the order of the elements; fields at points.
+/// Bars as polylines, as frames have them: one per bar, two where it has ruptured or leaves the concrete for
+/// a while. Points are the ends of bar elements, two to each, in the order of the elements; fields at points.
 output::Grid bar_lines(model::Model const& m, state::State const& s);
 /// The outer faces of the body and both faces of every cracked joint, as triangles: opening, damage, ...
 output::Grid surface_grid(model::Model const& m, state::State const& s);

@@ -39,10 +39,9 @@ void JointFields::add_none() {
 }
 
 std::vector<output::Array> JointFields::arrays() const {
-  return {{"opening", 1, opening_, "m"},        {"sliding", 1, sliding_, "m"},
-          {"damage", 1, damage_, "-"},          {"mode", 1, mode_, "-"},
-          {"time_of_failure", 1, failed_, "s"}, {"broken", 1, broken_, "-"},
-          {"fracture_I", 1, lost_I_, "J"},      {"fracture_II", 1, lost_II_, "J"}};
+  return {{"opening", 1, opening_, "m"},   {"sliding", 1, sliding_, "m"},        {"damage", 1, damage_, "-"},
+          {"mode", 1, mode_, "-"},         {"time_of_failure", 1, failed_, "s"}, {"broken", 1, broken_, "-"},
+          {"fracture_I", 1, lost_I_, "J"}, {"fracture_II", 1, lost_II_, "J"}};
 }
 
 bool is_cracked(state::State const& s, int joint) {

@@ -74,8 +74,8 @@ void make_folder(std::string const& folder, bool force) {
                       fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
     for (char const* old :
-         {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "surface.pvd", "rigid.pvd", "frames",
-          "checkpoints", "log.txt", "case.toml", "report.html", "stop", "output_now"}) {
+         {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "surface.pvd", "rigid.pvd",
+          "frames", "checkpoints", "log.txt", "case.toml", "report.html", "stop", "output_now"}) {
       fs::remove_all(fs::path(folder) / old, ec);
       if (ec) fail("remove", fs::path(folder) / old, ec);
     }

@@ -106,8 +106,8 @@ TEST(ReadFrame, NamesWhatIsWrongInTheHeader) {
 // Requirement: cells that name points which are not there, or that overlap, are refused.
 TEST(ReadFrame, ChecksCells) {
   TemporaryFolder const folder;
-  auto const expect = [&](std::vector<std::int64_t> const& connectivity, std::vector<std::int64_t> const& offsets,
-                          std::string const& reason) {
+  auto const expect = [&](std::vector<std::int64_t> const& connectivity,
+                          std::vector<std::int64_t> const& offsets, std::string const& reason) {
     VtkFile file("UnstructuredGrid");
     auto piece = file.add_piece();
     piece.append_attribute("NumberOfPoints") = 4;
@@ -133,8 +133,8 @@ TEST(ReadFrame, ReadsFilesOnly) {
   EXPECT_NE(message_of(folder.name()).find("it is no file"), std::string::npos);
 }
 
-// Requirement: an array that says it unpacks to more than its bytes can hold is refused before memory is asked
-// for.
+// Requirement: an array that says it unpacks to more than its bytes can hold is refused before memory is
+// asked for.
 TEST(ReadFrame, RefusesArraysThatSayTheyAreHuge) {
   auto const refused = [](std::uint64_t blocks, std::uint64_t full, std::uint64_t last) {
     std::string bytes = zlib_blocks("some bytes", 64);

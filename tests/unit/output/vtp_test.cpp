@@ -46,9 +46,11 @@ TEST(Vtp, WritesNames) {
   g.names = {{"bar_names", {"ab", "", "\xc3\xa9"}}};
   write_vtp(folder / "a.vtp", g);
   std::string const file = read_bytes(folder / "a.vtp");
-  EXPECT_NE(file.find("<Array type=\"String\" Name=\"bar_names\" NumberOfTuples=\"3\" format=\"ascii\">97 98 0 0 195 "
-                      "169 0 </Array>"),
-            std::string::npos)
+  EXPECT_NE(
+      file.find(
+          "<Array type=\"String\" Name=\"bar_names\" NumberOfTuples=\"3\" format=\"ascii\">97 98 0 0 195 "
+          "169 0 </Array>"),
+      std::string::npos)
       << file.substr(0, 600);
 }
 
@@ -61,7 +63,8 @@ TEST(Vtp, RefusesCellsOutOfOrder) {
   };
   Grid g = shapes();
   g.types = {cell_type::triangle, cell_type::poly_line, cell_type::triangle};
-  EXPECT_NE(message(g).find("poly data has its vertices first, then lines, then triangles"), std::string::npos);
+  EXPECT_NE(message(g).find("poly data has its vertices first, then lines, then triangles"),
+            std::string::npos);
   g.types.back() = cell_type::tetrahedron;
   g.types.front() = cell_type::vertex;
   EXPECT_NE(message(g).find("poly data has no cells of type 10"), std::string::npos);

@@ -185,7 +185,8 @@ TEST(Bars, MeasuresAlongTheBar) {
   EXPECT_NEAR(b.frames[0].slip[0], 2e-4, 1e-9);
 }
 
-// Requirement: a bar that ruptures becomes two lines, and stays the same bar with the same elements and joints.
+// Requirement: a bar that ruptures becomes two lines, and stays the same bar with the same elements and
+// joints.
 TEST(Bars, StayTheSameWhenTheyRupture) {
   TemporaryFolder const t;
   Bars b;
@@ -196,8 +197,8 @@ TEST(Bars, StayTheSameWhenTheyRupture) {
   EXPECT_EQ(b.joint_state[0], 2);
 }
 
-// Requirement: bars of an earlier version, of another model, or whose points are not those of bar elements are
-// refused with the file and the reason.
+// Requirement: bars of an earlier version, of another model, or whose points are not those of bar elements
+// are refused with the file and the reason.
 TEST(Bars, RefuseWhatIsNone) {
   TemporaryFolder const t;
   auto const expect = [&](auto const& action, std::string const& reason) {
@@ -208,11 +209,13 @@ TEST(Bars, RefuseWhatIsNone) {
   auto other = testing::one_bar(0);
   other.types = {output::cell_type::line, output::cell_type::line}, other.offsets = {2, 4};
   other.cell_data.clear();
-  expect([&] { b.take(file_of(t, other)); }, "grid.vtu': its bars are as earlier versions of Fissura wrote them");
+  expect([&] { b.take(file_of(t, other)); },
+         "grid.vtu': its bars are as earlier versions of Fissura wrote them");
   auto odd = testing::one_bar(0);
   odd.offsets = {3, 4}, odd.types.push_back(output::cell_type::poly_line);
   odd.cell_data.clear();
-  odd.cell_data = {{"bar", 1, std::vector<std::int32_t>{0, 0}, ""}, {"copy", 1, std::vector<std::int32_t>{0, 0}, ""}};
+  odd.cell_data = {{"bar", 1, std::vector<std::int32_t>{0, 0}, ""},
+                   {"copy", 1, std::vector<std::int32_t>{0, 0}, ""}};
   expect([&] { b.take(bars_of(t, odd)); }, "a bar element has no end");
   auto crossed = testing::one_bar(0);
   crossed.connectivity = {0, 2, 1, 3};
