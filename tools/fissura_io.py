@@ -83,6 +83,7 @@ class Grid:
     units: dict = field(default_factory=dict)
     time: float | None = None                  # [s]
     names: dict = field(default_factory=dict)  # what numbers stand for: names["bar_names"][bar]
+    path: str = ""
 
     def cells(self, cell_type):
         """Corner indices of all cells of one type, one row each, and the rows' numbers among all cells."""
@@ -95,7 +96,7 @@ class Grid:
         """Of a frame of bars: the two points of each bar element, one row each, and the rows' polylines."""
         lengths = np.diff(self.offsets, prepend=0)
         if (self.types != POLY_LINE).any() or (lengths % 2).any():
-            raise BadFile("bars that are no polylines of bar elements: earlier versions of Fissura wrote others")
+            raise BadFile(f"{self.path}: its bars are no polylines of bar elements; earlier versions of Fissura wrote others")
         return self.connectivity.reshape(-1, 2), np.repeat(np.arange(lengths.size), lengths // 2)
 
 
@@ -174,6 +175,9 @@ class _Frame:
     def grid(self):
         points = self.arrays("Points")["Points"]
         connectivity, offsets, types = self.cells()
+        cells = sum(int(self.piece.get(f"NumberOf{kind}", "0")) for kind in ("Cells", "Verts", "Lines", "Strips", "Polys"))
+        if int(self.piece.get("NumberOfPoints")) != len(points) or cells != len(types):
+            raise ValueError("it has other numbers of points or cells than its header says")
         ends = np.concatenate([[0], offsets])
         if len(types) != len(offsets) or (np.diff(ends) < 0).any() or ends[-1] != len(connectivity):
             raise ValueError("the offsets of its cells do not fit")
@@ -199,7 +203,9 @@ def read_frame(path):
     """Reads a frame as Fissura writes it: an unstructured grid (.vtu) or poly data (.vtp), appended raw data in zlib blocks."""
     data = read_bytes(path)
     try:
-        return _Frame(data).grid()
+        grid = _Frame(data).grid()
+        grid.path = str(path)
+        return grid
     except (ValueError, KeyError, TypeError, IndexError, OverflowError, zlib.error, ElementTree.ParseError) as error:
         raise BadFile(f"{path}: a damaged frame ({error})") from None
 
@@ -218,6 +224,12 @@ def read_pvd(path):
     except (ValueError, TypeError, ElementTree.ParseError) as error:
         raise BadFile(f"{path}: no list of frames ({error})") from None
     return [(time, [parts[p] for p in sorted(parts)]) for time, parts in sorted(frames.items())]
+
+
+def _name_and_unit(title):
+    """"load [N]" -> name and unit."""
+    begin = title.rfind(" [")
+    return (title[:begin], title[begin + 2:-1] or "-") if begin >= 0 and title.endswith("]") else (title, "-")
 
 
 class History:
@@ -240,13 +252,13 @@ class History:
                 raise ValueError(f"line {number} has {len(row)} values for {len(rows[0])} columns")
         values = np.array(rows[1:], dtype=float).reshape(len(rows) - 1, len(rows[0]))
         for i, title in enumerate(rows[0]):
-            name, unit = re.fullmatch(r"(.*?)(?: \[([^\]]*)\])?", title, re.DOTALL).groups()
-            self.columns[name] = Column(name, unit or "-", values[:, i])
+            name, unit = _name_and_unit(title)
+            self.columns[name] = Column(name, unit, values[:, i])
         if "time" not in self.columns:
             raise ValueError("its first column is not `time`")
 
     def __getitem__(self, name):
-        bare = re.sub(r" \[[^\]]*\]$", "", name)
+        bare = name if name in self.columns else _name_and_unit(name)[0]
         if bare not in self.columns:
             raise BadFile(f"{self.path}: no column '{name}'; there are: {', '.join(self.columns)}")
         return self.columns[bare]

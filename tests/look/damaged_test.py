@@ -324,7 +324,7 @@ def bars_that_are_tets(run):
     shutil.copy(last(run, "fields"), last(run, "bars"))
 
 
-@damage(frozenset(), "")
+@damage(frozenset({"picture"}), "rigid.pvd")
 def list_that_expands(run):
     """Entities that stand for each other a thousand million times."""
     lines = [f'<!ENTITY e{i} "{f"&e{i - 1};" * 10}">' for i in range(1, 10)]
