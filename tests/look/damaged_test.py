@@ -19,11 +19,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from small_run import make_run
+from small_run import change_summary, make_run, put_markup
 
 PROGRAM = str(Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else str(ROOT / "build/fissura")
 ESCAPES = "\x1b[2J\x1b]0;owned\x07\x9b31m\u202e"
-SCRIPT = "<script>document.title = 'owned'</script><img src=x onerror=\"document.title = 'owned'\">"
 
 COMMANDS = {"report": ["report"], "watch": ["watch", "--once"], "plot": ["plot", "--y", "force", "--peak"], "compare": ["compare"],
             "picture": ["picture"]}
@@ -46,11 +45,6 @@ def change(path, old, new, count=1):
     data = path.read_bytes()
     assert old in data, (path, old)
     path.write_bytes(data.replace(old, new, count))
-
-
-def change_summary(run, **keys):
-    path = run / "run.json"
-    path.write_text(json.dumps({**json.loads(path.read_text()), **keys}))
 
 
 def last(run, kind):
@@ -344,13 +338,7 @@ def names_with_escape_sequences(run):
 
 @damage(frozenset(), "")
 def names_with_scripts(run):
-    change_summary(run, title=SCRIPT, reason=SCRIPT, version=SCRIPT, kernels=SCRIPT, stable_dt_limiter=SCRIPT)
-    text = (run / "history.csv").read_text()
-    quoted = SCRIPT.replace('"', '""')
-    (run / "history.csv").write_text(text.replace("reaction_left_x [N]", f'"{quoted} [{quoted}]"', 1))
-    (run / "log.txt").write_text(f"2026-01-31 12:00:00 warning: {SCRIPT}\n")
-    deck = (run / "case.toml").read_text()
-    (run / "case.toml").write_text(deck.replace('"upper"', json.dumps(SCRIPT)))
+    put_markup(run, "upper")
 
 
 @damage(frozenset(), "")

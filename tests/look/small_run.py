@@ -1,4 +1,6 @@
 """A small run with every kind of frame: a tie that cracks, its bars, a floor and a ball."""
+import json
+import re
 import subprocess
 
 DECK = """
@@ -65,3 +67,22 @@ def make_run(program, folder):
     done = subprocess.run([program, "run", str(deck), "--quiet", "--no-report", "--threads", "1"], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     return folder / "tie.run"
+
+
+def change_summary(run, **keys):
+    path = run / "run.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), **keys}))
+
+
+MARKUP = "<script>document.title = 'owned'</script><img src=x onerror=\"document.title = 'owned'\"><h6>owned</h6>"
+
+
+def put_markup(run, bar):
+    """Markup into every text of a run folder that a page shows; `bar`: the name of a bar of its deck."""
+    change_summary(run, title=MARKUP, reason=MARKUP, version=MARKUP, kernels=MARKUP, stable_dt_limiter=MARKUP, state_hash=MARKUP)
+    header, rows = (run / "history.csv").read_text().split("\n", 1)
+    quoted = MARKUP.replace('"', '""')
+    (run / "history.csv").write_text(re.sub(r"reaction_\w+ \[N\]", lambda _: f'"{quoted} [{quoted}]"', header, count=1) + "\n" + rows)
+    (run / "log.txt").write_text(f"2026-01-31 12:00:00 warning: {MARKUP}\n2026-01-31 12:00:00 {MARKUP}: {MARKUP}\n")
+    deck = (run / "case.toml").read_text()
+    (run / "case.toml").write_text(deck.replace(f'"{bar}"', json.dumps(MARKUP)))
