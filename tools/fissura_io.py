@@ -100,11 +100,13 @@ class Grid:
         return self.connectivity.reshape(-1, 2), np.repeat(np.arange(lengths.size), lengths // 2)
 
 
-def _inflate(data, begin):
+def _inflate(data, begin, most):
     """One array: block count, block size, size of a last partial block, packed sizes, blocks (all UInt64)."""
     blocks, full, last = (int(n) for n in np.frombuffer(data, "<u8", 3, begin))
     if blocks > len(data) or full > LARGEST_BLOCK:
         raise ValueError("an array has no valid header")
+    if blocks and (blocks - 1) * full + (last or full) > most:
+        raise ValueError("an array holds more than the header says")
     packed = np.frombuffer(data, "<u8", blocks, begin + 24)
     at = begin + 8 * (3 + blocks)
     parts = []
@@ -138,12 +140,15 @@ class _Frame:
         self.piece = None if self.body is None else self.body.find("Piece")
         if self.piece is None:
             raise ValueError("it has no piece")
+        self.points = int(self.piece.get("NumberOfPoints"))
+        self.count = sum(int(self.piece.get(f"NumberOf{kind}", "0")) for kind in ("Cells", "Verts", "Lines", "Strips", "Polys"))
         self.units = {}
 
     def array(self, node):
-        raw = _inflate(self.data, self.begin + int(node.get("offset")))
-        values = np.frombuffer(raw, "<" + TYPES[node.get("type")])
         components = int(node.get("NumberOfComponents", "1"))
+        # No type has more than eight bytes, and no cell that is written more points than four or than there are.
+        raw = _inflate(self.data, self.begin + int(node.get("offset")), 8 * components * (self.points + 4 * self.count + 1))
+        values = np.frombuffer(raw, "<" + TYPES[node.get("type")])
         label = node.find("InformationKey[@name='UNITS_LABEL']")
         if label is not None:
             self.units[node.get("Name")] = label.text
@@ -175,8 +180,7 @@ class _Frame:
     def grid(self):
         points = self.arrays("Points")["Points"]
         connectivity, offsets, types = self.cells()
-        cells = sum(int(self.piece.get(f"NumberOf{kind}", "0")) for kind in ("Cells", "Verts", "Lines", "Strips", "Polys"))
-        if int(self.piece.get("NumberOfPoints")) != len(points) or cells != len(types):
+        if self.points != len(points) or self.count != len(types):
             raise ValueError("it has other numbers of points or cells than its header says")
         ends = np.concatenate([[0], offsets])
         if len(types) != len(offsets) or (np.diff(ends) < 0).any() or ends[-1] != len(connectivity):

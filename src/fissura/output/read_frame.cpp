@@ -73,11 +73,13 @@ template <class To> std::vector<To> converted_from(std::string const& type, std:
 
 } // namespace
 
-std::string inflate_blocks(std::string_view bytes, std::size_t at) {
+std::string inflate_blocks(std::string_view bytes, std::size_t at, std::size_t most) {
   std::uint64_t const blocks = word(bytes, at), full = word(bytes, at + 8), last = word(bytes, at + 16);
   if (blocks > bytes.size() || full > largest_block || last > full ||
       blocks * full > most_packed * bytes.size() + largest_block)
     throw std::runtime_error("an array has no valid header");
+  if (blocks > 0 && (blocks - 1) * full + (last > 0 ? last : full) > most)
+    throw std::runtime_error("it holds more than its header says");
   std::size_t from = at + 8 * (3 + static_cast<std::size_t>(blocks));
   std::string out, block;
   for (std::uint64_t b = 0; b < blocks; ++b) {
@@ -171,9 +173,11 @@ std::vector<To> FrameFile::read(std::string const& section, std::string const& n
   Entry const& e = found->second;
   if (e.components != components)
     refuse(fmt::format("array '{}' has {} components instead of {}", name, e.components, components));
+  // No type has more than eight bytes, and no cell that is written more points than four or than there are.
+  std::size_t const most = 8 * components * e.tuples.value_or(points_ + 4 * cells_);
   std::vector<To> values;
   try {
-    values = converted_from<To>(e.type, inflate_blocks(bytes_, data_ + e.offset));
+    values = converted_from<To>(e.type, inflate_blocks(bytes_, data_ + e.offset, most));
   } catch (std::runtime_error const& error) {
     refuse(fmt::format("array '{}': {}", name, error.what()));
   }

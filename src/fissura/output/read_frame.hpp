@@ -3,6 +3,7 @@
 // for. Frames come from the disk, and so from anywhere: nothing in one is believed before it has been
 // checked.
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -67,7 +68,8 @@ class FrameFile {
 };
 
 /// Undoes zlib_blocks(); `at`: where the header of the blocks begins. Throws std::runtime_error with the
-/// reason.
-std::string inflate_blocks(std::string_view bytes, std::size_t at);
+/// reason, and before any memory is asked for where there would be more than `most` bytes.
+std::string inflate_blocks(std::string_view bytes, std::size_t at,
+                           std::size_t most = std::numeric_limits<std::size_t>::max());
 
 } // namespace fissura::output

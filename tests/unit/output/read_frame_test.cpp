@@ -148,6 +148,8 @@ TEST(ReadFrame, RefusesArraysThatSayTheyAreHuge) {
     }
     return std::string("accepted");
   };
+  EXPECT_THROW(inflate_blocks(zlib_blocks("some bytes"), 0, 9), std::runtime_error);
+  EXPECT_EQ(inflate_blocks(zlib_blocks("some bytes"), 0, 10), "some bytes");
   EXPECT_EQ(refused(1, std::uint64_t{1} << 40, 0), "an array has no valid header");
   EXPECT_EQ(refused(std::uint64_t{1} << 60, 64, 0), "an array has no valid header");
   EXPECT_EQ(refused(4000, std::uint64_t{1} << 26, 0), "an array has no valid header");
