@@ -17,7 +17,8 @@ PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudun
 # The report page is bundled with npm; a node that came from elsewhere is as good.
 PAGE_PACKAGES    := $(if $(shell command -v npm),,nodejs npm)
 # chromium: the tests open the report page; skipped where there is none.
-TEST_PACKAGES    := $(PROGRAM_PACKAGES) $(PAGE_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs chromium
+TEST_PACKAGES    := $(PROGRAM_PACKAGES) $(PAGE_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs chromium \
+  python3-vtk9 python3-meshio
 DOCS_PACKAGES    := mkdocs
 PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
 FORMAT_PACKAGES  := clang-format

@@ -17,6 +17,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
+matplotlib.rcParams["text.parse_math"] = False  # a dollar in a title is a dollar
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -136,7 +137,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
     moment, files = run.frame("fields", time)
     if not files:
         raise io.BadFile(f"{run.folder}: no frame in fields.pvd")
-    fields = io.read_vtu(files[0])
+    fields = io.read_frame(files[0])
     moved = fields.point_data.get("displacement", np.zeros_like(fields.points))
     extent = np.ptp(fields.points, axis=0)
     natural = natural_warp(np.linalg.norm(moved, axis=1), extent.max())
@@ -152,7 +153,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
                   np.zeros((0, 2, 3)), np.zeros(0), warp, colours, crack_label)
 
     for part in [] if fragments else run.frame("cracks", moment)[1]:
-        grid = io.read_vtu(part)
+        grid = io.read_frame(part)
         triangles, which = grid.cells(io.TRIANGLE)
         damage = grid.cell_data.get("damage", np.ones(grid.types.size))[which]
         opening = grid.cell_data["opening"][which]
@@ -161,11 +162,11 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
         scene.cracks = np.concatenate([scene.cracks, deformed(grid)[triangles[shown]]])
         scene.value = np.append(scene.value, factor * grid.cell_data[colour_by][which][shown])
     for part in run.frame("bars", moment)[1]:
-        grid = io.read_vtu(part)
-        lines, which = grid.cells(io.LINE)
-        if which.size:
-            scene.bars = np.concatenate([scene.bars, deformed(grid)[lines]])
-            scene.stress = np.append(scene.stress, 1e-6 * grid.cell_data["stress"][which])
+        grid = io.read_frame(part)
+        ends, _ = grid.bar_elements()
+        if len(ends):
+            scene.bars = np.concatenate([scene.bars, deformed(grid)[ends]])
+            scene.stress = np.append(scene.stress, 1e-6 * grid.point_data["stress"][ends[:, 0]])
     add_rigid_bodies(run, moment, scene)
     return moment, scene
 
@@ -173,7 +174,7 @@ def make_scene(run, time, warp, minimum_damage, fragments=False, colour_by="open
 def add_rigid_bodies(run, moment, scene):
     """Planes never move; impactors move with the body's warp, so that they stay where they touch it."""
     for part in run.frame("rigid", moment)[1]:
-        grid = io.read_vtu(part)
+        grid = io.read_frame(part)
         triangles, which = grid.cells(io.TRIANGLE)
         moves = grid.cell_data["impactor"][which] > 0
         surface = (grid.points + scene.warp * grid.point_data["displacement"])[triangles]
@@ -282,7 +283,7 @@ def draw(scene, moment, title, up, out):
     for i, (norm, colours, text) in enumerate(keys):
         place = figure.add_axes([0.06 + 0.5 * i, 0.5 / total, 0.38, 0.14 / total])
         colour_key(figure, norm, colours, place, text)
-    figure.text(0.5, 1 - 0.3 / total, f"{title}   t = {moment:.4g} s   displacements x {scene.warp:g}", ha="center")
+    figure.text(0.5, 1 - 0.3 / total, f"{io.printable(title)[:120]}   t = {moment:.4g} s   displacements x {scene.warp:g}", ha="center")
     figure.savefig(out)
 
 
@@ -311,15 +312,12 @@ def main():
         given = getattr(arguments, "least" if option == "from" else option)
         if not is_number(given) and given != word:
             io.refuse("picture", f"--{option} is a number or `{word}`, not `{given}`")
-    try:
-        run = io.Run(arguments.run)
-        moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field,
-                                   arguments.least)
-        draw(scene, moment, arguments.title or run.title, "xyz".index(arguments.up), arguments.out)
-    except (io.BadFile, OSError) as error:
-        io.refuse("picture", error)
-    print(f"picture: {arguments.out}")
+    run = io.Run(arguments.run)
+    moment, scene = make_scene(run, arguments.time, arguments.warp, arguments.min_damage, arguments.fragments, arguments.field,
+                               arguments.least)
+    draw(scene, moment, arguments.title or run.title, "xyz".index(arguments.up), arguments.out)
+    print(io.printable(f"picture: {arguments.out}"))
 
 
 if __name__ == "__main__":
-    main()
+    io.run_tool("picture", main)

@@ -10,11 +10,12 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
+matplotlib.rcParams["text.parse_math"] = False  # a dollar in a name is a dollar
 import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from fissura_io import BadFile, Run, refuse
+from fissura_io import BadFile, Run, printable, run_tool
 
 SCALES = {"m": (1e3, "mm"), "Pa": (1e-6, "MPa"), "N": (1e-3, "kN")}
 
@@ -26,7 +27,7 @@ def shown(column):
 
 
 def label(name, unit):
-    return name.replace("_", " ") + ("" if unit == "-" else f" [{unit}]")
+    return printable(name.replace("_", " ") + ("" if unit == "-" else f" [{unit}]"))
 
 
 def draw(history, x, ys, out, title):
@@ -42,7 +43,7 @@ def draw(history, x, ys, out, title):
     axes.set_ylabel(label(ys[0], units[0]) if len(ys) == 1 else f"[{units[0]}]" if len(set(units)) == 1 else "")
     if len(ys) > 1:
         axes.legend()
-    axes.set_title(title)
+    axes.set_title(printable(title)[:120])
     axes.grid(alpha=0.3)
     figure.tight_layout()
     figure.savefig(out)
@@ -55,6 +56,8 @@ def peak(history, x, y):
     xs, x_unit = shown(history[x])
     width = 5 if values.size >= 100 else 1
     means = np.convolve(values, np.ones(width) / width, "valid")
+    if not np.isfinite(means).any():
+        return f"peak {y}: none, it holds no number"
     i = int(np.nanargmax(np.abs(means)))
     largest = values[int(np.nanargmax(np.abs(values)))]
     single = f" (mean of {width} rows; largest single reading {largest:.4g} {unit})" if width > 1 else ""
@@ -70,19 +73,16 @@ def main():
     parser.add_argument("--peak", action="store_true", help="print the largest magnitude of each y")
     parser.add_argument("-o", "--out", required=True, help="PNG to write")
     arguments = parser.parse_args()
-    try:
-        run = Run(arguments.run)
-        history = run.history
-        if history["time"].values.size == 0:
-            raise BadFile(f"{history.path}: no rows yet")
-        draw(history, arguments.x, arguments.y, arguments.out, arguments.title or run.title)
-    except (BadFile, OSError) as error:
-        refuse("plot", error)
+    run = Run(arguments.run)
+    history = run.history
+    if history["time"].values.size == 0:
+        raise BadFile(f"{history.path}: no rows yet")
+    draw(history, arguments.x, arguments.y, arguments.out, arguments.title or run.title)
     if arguments.peak:
         for y in arguments.y:
-            print(peak(history, arguments.x, y))
-    print(f"curve: {arguments.out}")
+            print(printable(peak(history, arguments.x, y)))
+    print(printable(f"curve: {arguments.out}"))
 
 
 if __name__ == "__main__":
-    main()
+    run_tool("plot", main)

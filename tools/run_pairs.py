@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parent.parent
 SMASHED = ROOT / "tests" / "regression" / "decks" / "smashed_beam.toml"
 OF_THE_MACHINE = ("threads", "wall_seconds", "tet_steps_per_second")
-LISTS = ("fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd")
+LISTS = ("fields.pvd", "cracks.pvd", "bars.pvd", "surface.pvd", "rigid.pvd")
 
 
 class Program:

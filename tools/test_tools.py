@@ -31,18 +31,20 @@ def packed(values, block=64):
     return struct.pack(f"<{3 + len(sizes)}Q", len(sizes), block, len(raw) % block, *sizes) + b"".join(blocks)
 
 
-def write_vtu(path, points, cells, cell_type, point_data=None, cell_data=None):
-    """Cells of one type; data: name -> (values, unit)."""
-    cells = np.asarray(cells, dtype="i8").reshape(-1, io.CORNERS[cell_type])
+def write_frame(path, points, cells, cell_type, point_data=None, cell_data=None):
+    """Cells of one type, polylines as poly data; data: name -> (values, unit)."""
+    poly = cell_type == io.POLY_LINE
+    cells = np.atleast_2d(np.asarray(cells, dtype="i8")) if poly else np.asarray(cells, dtype="i8").reshape(-1, io.CORNERS[cell_type])
     data, body = b"", ""
+    kind, part, count = ("PolyData", "Lines", "NumberOfLines") if poly else ("UnstructuredGrid", "Cells", "NumberOfCells")
     sections = {
         "PointData": point_data or {},
         "CellData": cell_data or {},
         "Points": {"Points": (np.asarray(points, dtype="f8").reshape(-1, 3), "")},
-        "Cells": {"connectivity": (cells.ravel(), ""),
-                  "offsets": (np.arange(1, len(cells) + 1, dtype="i8") * cells.shape[1], ""),
-                  "types": (np.full(len(cells), cell_type, dtype="u1"), "")},
+        part: {"connectivity": (cells.ravel(), ""), "offsets": (np.arange(1, len(cells) + 1, dtype="i8") * cells.shape[1], "")},
     }
+    if not poly:
+        sections[part]["types"] = (np.full(len(cells), cell_type, dtype="u1"), "")
     for section, arrays in sections.items():
         body += f"<{section}>"
         for name, (values, unit) in arrays.items():
@@ -52,9 +54,9 @@ def write_vtu(path, points, cells, cell_type, point_data=None, cell_data=None):
                      f'format="appended" offset="{len(data)}">{key}</DataArray>')
             data += packed(values)
         body += f"</{section}>"
-    header = ('<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
-              'header_type="UInt64" compressor="vtkZLibDataCompressor"><UnstructuredGrid>'
-              f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">{body}</Piece></UnstructuredGrid>'
+    header = (f'<?xml version="1.0"?><VTKFile type="{kind}" version="1.0" byte_order="LittleEndian" '
+              f'header_type="UInt64" compressor="vtkZLibDataCompressor"><{kind}>'
+              f'<Piece NumberOfPoints="{len(points)}" {count}="{len(cells)}">{body}</Piece></{kind}>'
               '<AppendedData encoding="raw">_')
     Path(path).write_bytes(header.encode() + data + b"</AppendedData></VTKFile>")
 
@@ -84,20 +86,20 @@ def make_run(folder, cells=(12, 2, 3)):
         u[:, 2] = -0.02 * np.sin(np.pi * p[:, 0] / size[0])
         return u
 
-    write_vtu(folder / "fields_0.vtu", points, tets, io.TETRAHEDRON, {"displacement": (bend(points), "m")},
+    write_frame(folder / "fields_0.vtu", points, tets, io.TETRAHEDRON, {"displacement": (bend(points), "m")},
               {"group": (np.zeros(len(tets), "i4"), "")})
     vertical = np.array([[[x, 0, 0], [x, 0.15, 0], [x, 0, 0.17]] for x in (1.0, 1.25, 1.5, 1.75)])
     opening = np.array([2e-4, 6e-4, 9e-4, 1e-4])
-    write_vtu(folder / "cracks_0.vtu", vertical.reshape(-1, 3), np.arange(12).reshape(-1, 3), io.TRIANGLE,
+    write_frame(folder / "cracks_0.vtu", vertical.reshape(-1, 3), np.arange(12).reshape(-1, 3), io.TRIANGLE,
               {"displacement": (bend(vertical.reshape(-1, 3)), "m")},
               {"opening": (opening, "m"), "damage": (np.array([1, 1, 1, 0.01]), "")})
-    bar = np.stack([np.linspace(0, 3, 13), np.full(13, 0.075), np.full(13, 0.04)], axis=1)
-    lines = np.stack([np.arange(12), np.arange(1, 13)], axis=1)
-    stress = 4e8 * np.sin(np.pi * (lines.mean(axis=1) / 12))
-    write_vtu(folder / "bars_0.vtu", bar, lines, io.LINE, {"displacement": (bend(bar), "m")},
-              {"stress": (stress, "Pa")})
-    for kind in ("fields", "cracks", "bars"):
-        write_pvd(folder / f"{kind}.pvd", [(0.5, 0, f"{kind}_0.vtu")])
+    ends = np.repeat(np.linspace(0, 3, 13), 2)[1:-1]  # of 12 bar elements, two to each
+    bar = np.stack([ends, np.full(24, 0.075), np.full(24, 0.04)], axis=1)
+    stress = 4e8 * np.sin(np.pi * ((np.arange(12) + 0.5) / 12))
+    write_frame(folder / "bars_0.vtp", bar, np.arange(24), io.POLY_LINE,
+                {"displacement": (bend(bar), "m"), "stress": (np.repeat(stress, 2), "Pa")}, {"bar": (np.zeros(1, "i4"), "")})
+    for kind, end in (("fields", "vtu"), ("cracks", "vtu"), ("bars", "vtp")):
+        write_pvd(folder / f"{kind}.pvd", [(0.5, 0, f"{kind}_0.{end}")])
     (folder / "history.csv").write_text('time [s],deflection [m],load [N],"strain, mean [-]"\n0,0,0,0\n'
                                         "0.1,0.002,50000,0.001\n0.2,0.02,64300.5,0.004\n0.3,0.03,3e4,0.005\n0.4,0.0")
     (folder / "run.json").write_text(json.dumps({"status": "complete"}))
@@ -115,24 +117,26 @@ class FissuraIo(WithFolder):
     def test_vtu_reads_back(self):
         """Requirement: points, cells, fields and units of a VTU file come back exactly, over several blocks."""
         points, tets, stress = make_run(self.folder)
-        grid = io.read_vtu(self.folder / "fields_0.vtu")
+        grid = io.read_frame(self.folder / "fields_0.vtu")
         np.testing.assert_array_equal(grid.points, points)
         np.testing.assert_array_equal(grid.cells(io.TETRAHEDRON)[0], tets)
         self.assertEqual(grid.cells(io.LINE)[0].shape, (0, 2))
-        bars = io.read_vtu(self.folder / "bars_0.vtu")
-        np.testing.assert_array_equal(bars.cell_data["stress"], stress)
+        bars = io.read_frame(self.folder / "bars_0.vtp")
+        ends, line = bars.bar_elements()
+        np.testing.assert_array_equal(bars.point_data["stress"][ends[:, 0]], stress)
+        np.testing.assert_array_equal(line, np.zeros(12))
         self.assertEqual(bars.units["stress"], "Pa")
 
     def test_empty_grid(self):
         """Requirement: a frame without cells (no crack yet) is read as empty arrays."""
-        write_vtu(self.folder / "e.vtu", np.zeros((0, 3)), [], io.TRIANGLE, None, {"opening": (np.zeros(0), "m")})
-        self.assertEqual(io.read_vtu(self.folder / "e.vtu").cell_data["opening"].size, 0)
+        write_frame(self.folder / "e.vtu", np.zeros((0, 3)), [], io.TRIANGLE, None, {"opening": (np.zeros(0), "m")})
+        self.assertEqual(io.read_frame(self.folder / "e.vtu").cell_data["opening"].size, 0)
 
     def test_damaged_file_is_refused(self):
         """Requirement: a file of another kind is refused by name."""
         (self.folder / "x.vtu").write_text("<VTKFile/>")
         with self.assertRaisesRegex(io.BadFile, "x.vtu"):
-            io.read_vtu(self.folder / "x.vtu")
+            io.read_frame(self.folder / "x.vtu")
 
     def test_history_has_units_and_ignores_the_unfinished_line(self):
         """Requirement: columns are found with and without unit, and a row that is still being written is left out."""
@@ -157,7 +161,7 @@ class Picture(WithFolder):
     def test_outer_faces_of_a_box(self):
         """Requirement: the surface of a box is closed, points outwards and has the box's area."""
         points, _, _ = make_run(self.folder)
-        faces, _ = picture.outer_faces(io.read_vtu(self.folder / "fields_0.vtu"))
+        faces, _ = picture.outer_faces(io.read_frame(self.folder / "fields_0.vtu"))
         corners = points[faces]
         areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
         self.assertAlmostEqual(np.linalg.norm(areas, axis=1).sum(), 2 * (3 * 0.15 + 3 * 0.25 + 0.15 * 0.25), places=12)

@@ -181,7 +181,7 @@ def first_failure(run):
     """Place (x, z) [m] of the joint that fails first, and the place of all failed ones, in the last frame."""
     places, times = [], []
     for part in run.frame("cracks", "last")[1]:
-        grid = io.read_vtu(part)
+        grid = io.read_frame(part)
         triangles, which = grid.cells(io.TRIANGLE)
         places.append(grid.points[triangles].mean(axis=1)[:, [0, 2]])
         times.append(grid.cell_data["time_of_failure"][which])

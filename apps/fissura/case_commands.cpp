@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "fissura/core/printable.hpp"
 #include "fissura/deck/deck.hpp"
 #include "fissura/sim/bench_scenes.hpp"
 #include "fissura/sim/check.hpp"
@@ -107,31 +108,31 @@ int CaseCommands::run_case() {
   options_.signal = caught_signal;
   auto const result = sim::run_case(c, options_);
   if (result.status == "failed") {
-    fmt::print(stderr, "fissura: the run failed: {}\n", result.reason);
+    fmt::print(stderr, "fissura: the run failed: {}\n", core::printable(result.reason));
     return 1;
   }
   if (result.folder.empty())
-    fmt::print("{}; nothing has been written\n", result.reason);
+    fmt::print("{}; nothing has been written\n", core::printable(result.reason));
   else if (!options_.quiet)
-    fmt::print("results in {}\n", result.folder);
+    fmt::print("results in {}\n", core::printable_line(result.folder));
   return 0;
 }
 
 int CaseCommands::check() const {
   auto const c = deck::read_case(deck_, set_);
   if (picture_.empty()) {
-    fmt::print("{}", sim::check_case(c));
+    fmt::print("{}", core::printable(sim::check_case(c)));
     return 0;
   }
   FramesFolder const frames;
-  fmt::print("{}", sim::check_case(c, frames.name()));
+  fmt::print("{}", core::printable(sim::check_case(c, frames.name())));
   std::fflush(stdout);
   return run_python_tool("picture.py",
                          {frames.name(), "--out", picture_, "--title", c.title.empty() ? deck_ : c.title});
 }
 
 int CaseCommands::write_template() const {
-  fmt::print("{}\n", sim::write_template(template_, folder_));
+  fmt::print("{}\n", core::printable(sim::write_template(template_, folder_)));
   return 0;
 }
 

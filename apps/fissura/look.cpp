@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/core/printable.hpp"
 #include "fissura/report/compare.hpp"
 #include "fissura/report/report.hpp"
 #include "fissura/report/watch.hpp"
@@ -92,7 +93,7 @@ int LookCommands::run() const {
 }
 
 int LookCommands::report() const {
-  fmt::print("{}\n", report::write_report(folder_, {.out = out_, .version = version_}));
+  fmt::print("{}\n", core::printable_line(report::write_report(folder_, {.out = out_, .version = version_})));
   return 0;
 }
 
@@ -135,7 +136,7 @@ int LookCommands::compare() const {
   fmt::print("{}", report::comparison_text(c, first, second));
   if (!out_.empty()) {
     report::write_comparison(out_, c, first, second, options);
-    fmt::print("{}\n", out_);
+    fmt::print("{}\n", core::printable_line(out_));
   }
   return c.agree ? 0 : 1;
 }

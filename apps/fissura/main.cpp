@@ -13,12 +13,14 @@
 
 #include "case_commands.hpp"
 #include "fissura/core/error.hpp"
+#include "fissura/core/printable.hpp"
 #include "fissura/deck/nearest.hpp"
 #include "look.hpp"
 
 namespace {
 
-using fissura::core::Error;
+namespace core = fissura::core;
+using core::Error;
 
 /// The names live as long as `app`.
 std::vector<std::string_view> commands(CLI::App const& app) {
@@ -36,7 +38,7 @@ bool knows(CLI::App const& app, std::string_view word) {
 int unknown_command(CLI::App const& app, std::string_view word) {
   auto const names = commands(app);
   auto const hint = fissura::deck::did_you_mean(word, names);
-  fmt::print(stderr, "fissura: there is no command `{}`{}\n", word,
+  fmt::print(stderr, "fissura: there is no command `{}`{}\n", core::printable_line(word),
              hint.empty() ? "; there are " + fissura::deck::listed(names) : hint);
   return 2;
 }
@@ -46,19 +48,19 @@ int code_of(std::function<int()> const& command) {
   try {
     return command();
   } catch (fissura::core::InputError const& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    fmt::print(stderr, "{}\n", core::printable(e.what()));
     return 2;
   } catch (Error const& e) {
-    fmt::print(stderr, "fissura: {}\n", e.what());
+    fmt::print(stderr, "fissura: {}\n", core::printable(e.what()));
     return static_cast<int>(e.failure);
   } catch (std::bad_alloc const&) {
     fmt::print(stderr, "fissura: out of memory; `fissura check` tells what a case needs\n");
     return 1;
   } catch (std::system_error const& e) { // of the file system, or of a terminal that takes no more
-    fmt::print(stderr, "fissura: {}\n", e.what());
+    fmt::print(stderr, "fissura: {}\n", core::printable(e.what()));
     return 3;
   } catch (std::exception const& e) {
-    fmt::print(stderr, "fissura: internal error: {}\n", e.what());
+    fmt::print(stderr, "fissura: internal error: {}\n", core::printable(e.what()));
     return 1;
   }
 }

@@ -15,8 +15,9 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(Path(__file__).resolve().parent)]
 from browser import Browser, BrowserFailed, find_browser
+from small_run import put_markup
 
 DECK = ROOT / "examples/00_demo_beam/case.toml"
 READY = "window.fissura?.ready || window.fissura?.errors.length"
@@ -152,6 +153,18 @@ class Page(unittest.TestCase):
             self.assertGreater(self.browser.evaluate(COLOURS % f"#{plot} canvas"), 20)
         self.assertGreater(self.browser.evaluate("document.querySelectorAll('tbody tr').length"), 3)
         self.shot("comparison")
+
+    def test_markup_in_names_does_nothing(self):
+        """Markup in title, reason, names, units, log and deck is shown as text: no element comes of it, and no script in it runs."""
+        hostile = self.folder / "hostile"
+        subprocess.run(["cp", "-r", self.finished, hostile], check=True)
+        put_markup(hostile, "bottom")
+        for words in (["report", hostile, "-o", self.folder / "hostile.html"], ["compare", hostile, hostile, "-o", self.folder / "hostile.html"]):
+            subprocess.run([self.program, *map(str, words)], check=words[0] == "report", capture_output=True)
+            self.fresh(self.folder / "hostile.html")
+            self.assertNotEqual(self.browser.evaluate("document.title"), "owned")
+            self.assertEqual(self.browser.evaluate("document.querySelectorAll('h6, img, #page script').length"), 0)
+            self.assertIn("<h6>owned</h6>", self.browser.evaluate("document.body.textContent"))
 
     def test_prints(self):
         """The page prints: a PDF of some pages."""

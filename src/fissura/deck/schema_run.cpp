@@ -60,11 +60,15 @@ Section output_section() {
   f.quantity("history_every", &OutputSpec::history_every, Dimension::time,
              "Time between rows; > 0 wins over `history_points`.")
       .not_negative();
-  f.integer("frames", &OutputSpec::frames, "Frames of fields, cracks and bars over the run, about; 0: none.")
+  f.integer("frames", &OutputSpec::frames,
+            "Frames of fields, cracks, bars and surface over the run, about; 0: none.")
       .range({0, 1e5});
   f.quantity("frames_every", &OutputSpec::frames_every, Dimension::time,
              "Time between frames; > 0 wins over `frames`.")
       .not_negative();
+  f.flag(
+      "surface", &OutputSpec::surface,
+      "Frames also of the surface of the body and of its cracks, `surface.pvd`: small files for pictures.");
   f.quantity("checkpoint_every", &OutputSpec::checkpoint_every, Dimension::time,
              "Wall time between two checkpoints; 0: none by time.")
       .not_negative();

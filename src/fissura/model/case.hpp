@@ -353,6 +353,7 @@ struct OutputSpec {
   double history_every = 0;      ///< [s]; > 0 wins
   int frames = 20;               ///< VTU frames over the run (about)
   double frames_every = 0;       ///< [s]; > 0 wins
+  bool surface = true;           ///< frames of the surface, with the faces of the cracks
   double checkpoint_every = 300; ///< wall time between two checkpoints [s]; 0 = not by time
   long checkpoint_steps = 0;     ///< steps between two checkpoints; 0 = not by steps
   long hash_every = 1000;        ///< steps between two hashes of the state in log.txt; 0 = none

@@ -1,15 +1,12 @@
 #include "fissura/report/bars.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
-
-#include "fissura/output/vtu.hpp"
+#include <set>
+#include <utility>
 
 namespace fissura::report {
 
-using output::VtuFile;
+using output::FrameFile;
 
 namespace {
 
@@ -18,76 +15,71 @@ double distance(float const* p, float const* q) {
                     static_cast<double>(p[2]) - q[2]);
 }
 
-/// Which points each cell has: the first one of each, counted through the file.
-std::vector<std::size_t> first_points(VtuFile const& file) {
-  auto const ends = file.integers("Cells", "offsets");
-  std::vector<std::size_t> first(ends.size(), 0);
-  for (std::size_t c = 1; c < ends.size(); ++c) first[c] = static_cast<std::size_t>(ends[c - 1]);
-  return first;
+/// Bar and copy of each element: elements lie one after the other along the polylines, two points to each.
+std::vector<std::pair<std::int64_t, std::int64_t>> owners(FrameFile const& file) {
+  if (file.has("Cells", "types"))
+    file.refuse(
+        "its bars are as earlier versions of Fissura wrote them; make the page with the version that made "
+        "the run (run.json names it), or run the case again");
+  auto const lines = file.cell_list("Lines");
+  auto const bars = file.integers("CellData", "bar"), copies = file.integers("CellData", "copy");
+  std::vector<std::pair<std::int64_t, std::int64_t>> of_element;
+  if (lines.size() != file.cells() || lines.connectivity.size() != file.points())
+    file.refuse("its points do not lie along its lines");
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    if ((lines.end(c) - lines.begin(c)) % 2 != 0) file.refuse("a bar element has no end");
+    for (std::size_t i = lines.begin(c); i < lines.end(c); ++i)
+      if (lines.connectivity[i] != static_cast<std::int64_t>(i))
+        file.refuse("its points do not lie along its lines");
+    of_element.insert(of_element.end(), (lines.end(c) - lines.begin(c)) / 2, {bars[c], copies[c]});
+  }
+  return of_element;
 }
 
 } // namespace
 
-void Bars::read_geometry(VtuFile const& file, std::vector<float> const& x) {
-  auto const types = file.integers("Cells", "types");
-  auto const bars = file.integers("CellData", "bar"), copies = file.integers("CellData", "copy");
-  auto const point = first_points(file);
-  for (std::size_t c = 0; c < types.size(); ++c)
-    (types[c] == output::cell_type::line ? element_ : joint_).push_back(c);
-  auto const by_bar = [&](std::size_t a, std::size_t b) {
-    return std::tie(bars[a], copies[a]) < std::tie(bars[b], copies[b]);
-  };
-  std::stable_sort(element_.begin(), element_.end(), by_bar);
-  std::stable_sort(joint_.begin(), joint_.end(), by_bar);
-
-  std::vector<double> end; // along the bar, of each element
-  for (std::size_t i = 0; i < element_.size(); ++i) {
-    std::size_t const c = element_[i];
-    float const* p = &x[3 * point[c]];
-    points.insert(points.end(), p, p + 6);
-    bool const same = i > 0 && !by_bar(element_[i - 1], c) && !by_bar(c, element_[i - 1]);
-    // A gap, where the bar leaves the body for a while, counts as length too.
-    double const begin = same ? end.back() + distance(&points[6 * (i - 1) + 3], p) : 0;
-    end.push_back(begin + distance(p, p + 3));
-    along.push_back(static_cast<float>(0.5 * (begin + end.back())));
-    bar.push_back(static_cast<std::uint16_t>(bars[c]));
-    copy.push_back(static_cast<std::uint16_t>(copies[c]));
-  }
-  for (std::size_t const c : joint_) {
-    float const* p = &x[3 * point[c]];
-    auto const [low, high] = std::equal_range(element_.begin(), element_.end(), c, by_bar);
-    double nearest = std::numeric_limits<double>::infinity(), where = 0;
-    for (auto e = low; e != high; ++e) {
-      auto const i = static_cast<std::size_t>(e - element_.begin());
-      double const from_end = distance(&points[6 * i + 3], p), from_begin = distance(&points[6 * i], p);
-      if (from_end < nearest) nearest = from_end, where = end[i];
-      if (from_begin < nearest)
-        nearest = from_begin, where = end[i] - distance(&points[6 * i], &points[6 * i + 3]);
-    }
+void Bars::read_geometry(FrameFile const& file) {
+  auto const x = file.floats("Points", "Points", 3);
+  auto const joints = file.integers("PointData", "joint");
+  auto const owner = owners(file);
+  std::set<std::int64_t> seen; // a joint is told at both of its sides
+  double end = 0;              // along the bar
+  auto const add_joint = [&](std::size_t point, double where) {
+    if (joints[point] < 0 || !seen.insert(joints[point]).second) return;
+    joint_.push_back(point);
     joint_along.push_back(static_cast<float>(where));
-    joint_bar.push_back(static_cast<std::uint16_t>(bars[c]));
-    joint_copy.push_back(static_cast<std::uint16_t>(copies[c]));
+    joint_bar.push_back(bar.back());
+    joint_copy.push_back(copy.back());
+  };
+  for (std::size_t i = 0; i < owner.size(); ++i) {
+    float const* p = &x[6 * i];
+    points.insert(points.end(), p, p + 6);
+    bool const same = i > 0 && owner[i] == owner[i - 1];
+    // A gap, where the bar leaves the body for a while, counts as length too.
+    double const begin = same ? end + distance(p - 3, p) : 0;
+    end = begin + distance(p, p + 3);
+    along.push_back(static_cast<float>(0.5 * (begin + end)));
+    bar.push_back(static_cast<std::uint16_t>(owner[i].first));
+    copy.push_back(static_cast<std::uint16_t>(owner[i].second));
+    add_joint(2 * i, begin);
+    add_joint(2 * i + 1, end);
   }
 }
 
-void Bars::take(VtuFile const& file) {
-  if (frames.empty()) read_geometry(file, file.floats("Points", "Points"));
-  auto const u = file.floats("PointData", "displacement");
-  auto const stress = file.floats("CellData", "stress"), strain = file.floats("CellData", "strain");
-  auto const slip = file.floats("CellData", "slip");
-  auto const yielded = file.integers("CellData", "yielded"), broken = file.integers("CellData", "broken");
-  auto const point = first_points(file);
-  BarFrame f;
-  for (std::size_t const c : element_) {
-    f.displacement.insert(f.displacement.end(), &u[3 * point[c]], &u[3 * point[c]] + 6);
-    f.stress.push_back(stress[c]);
-  }
+void Bars::take(FrameFile const& file) {
+  if (frames.empty()) read_geometry(file);
+  if (6 * along.size() != 3 * file.points()) file.refuse("it has other bars than the first frame");
+  auto const stress = file.floats("PointData", "stress"), at_joint = file.floats("PointData", "joint_stress");
+  auto const strain = file.floats("PointData", "joint_strain"), slip = file.floats("PointData", "slip");
+  auto const yielded = file.integers("PointData", "yielded"), broken = file.integers("PointData", "broken");
+  BarFrame f{.displacement = file.floats("PointData", "displacement", 3)};
+  for (std::size_t i = 0; i < along.size(); ++i) f.stress.push_back(stress[2 * i]);
   joint_state.clear();
-  for (std::size_t const c : joint_) {
-    f.joint_stress.push_back(stress[c]);
-    f.joint_strain.push_back(strain[c]);
-    f.slip.push_back(slip[c]);
-    joint_state.push_back(static_cast<std::uint8_t>(broken[c] != 0 ? 2 : yielded[c] != 0 ? 1 : 0));
+  for (std::size_t const p : joint_) {
+    f.joint_stress.push_back(at_joint[p]);
+    f.joint_strain.push_back(strain[p]);
+    f.slip.push_back(slip[p]);
+    joint_state.push_back(static_cast<std::uint8_t>(broken[p] != 0 ? 2 : yielded[p] != 0 ? 1 : 0));
   }
   frames.push_back(std::move(f));
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fissura/output/read_vtu.hpp"
+#include "fissura/output/read_frame.hpp"
 
 namespace fissura::report {
 
@@ -25,11 +25,11 @@ struct Bars {
   std::vector<BarFrame> frames;
 
   /// Takes in the next frame; the first one gives the geometry.
-  void take(output::VtuFile const& frame);
+  void take(output::FrameFile const& frame);
 
  private:
-  void read_geometry(output::VtuFile const& frame, std::vector<float> const& x);
-  std::vector<std::size_t> element_, joint_; ///< cells of the file, ordered
+  void read_geometry(output::FrameFile const& frame);
+  std::vector<std::size_t> joint_; ///< of each joint the first of its points in the file
 };
 
 } // namespace fissura::report

@@ -9,7 +9,7 @@
 
 namespace fissura::report {
 
-using output::VtuFile;
+using output::FrameFile;
 
 namespace {
 
@@ -75,10 +75,13 @@ double mean_edge(std::vector<double> const& x, std::size_t tets) {
 
 } // namespace
 
-Body find_body(VtuFile const& first, VtuFile const& last) {
+Body find_body(FrameFile const& first, FrameFile const& last) {
   Body b;
-  auto const x = first.doubles("Points", "Points");
-  std::size_t const tets = x.size() / 12;
+  auto const x = first.doubles("Points", "Points", 3);
+  std::size_t const tets = first.cells();
+  if (first.points() != 4 * tets) first.refuse("its tets do not have four points each");
+  if (!std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); }))
+    first.refuse("a point of it has no place");
   auto const across = neighbours(number_positions(x), tets);
   std::vector<std::int64_t> fragment(tets, 0), group(tets, 0);
   if (last.has("CellData", "fragment") && last.cells() == tets)
@@ -111,6 +114,7 @@ Body find_body(VtuFile const& first, VtuFile const& last) {
   }
   if (x.empty()) b.low = b.high = {};
   b.edge = mean_edge(x, tets);
+  b.tets = tets;
   return b;
 }
 
@@ -119,11 +123,12 @@ Appearance::Appearance(Body const& body, std::size_t frames) {
     first_.push_back(other < 0 ? 0 : static_cast<std::uint16_t>(frames));
 }
 
-void Appearance::take(Body const& body, VtuFile const& frame, std::size_t number) {
+void Appearance::take(Body const& body, FrameFile const& frame, std::size_t number) {
   bool const parted =
       std::any_of(body.across.begin(), body.across.end(), [](auto other) { return other >= 0; });
   if (!parted || !frame.has("CellData", "fragment")) return;
   auto const fragment = frame.integers("CellData", "fragment");
+  if (fragment.size() != body.tets) frame.refuse("it has other tets than the first frame");
   for (std::size_t i = 0; i < first_.size(); ++i)
     if (body.across[i] >= 0 && first_[i] > number &&
         fragment[body.tet[i]] != fragment[static_cast<std::size_t>(body.across[i])])

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/core/printable.hpp"
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/report/history_numbers.hpp"
 #include "fissura/report/page.hpp"
@@ -150,7 +151,7 @@ std::string comparison_text(Comparison const& c, RunFolder const& first, RunFold
       text += fmt::format("{:<26} {:>8.3g} % {:>8.3g} % {:>12.5g} {:>14.6g} {:>14.6g}{}\n",
                           fmt::format("{} [{}]", r.name, r.unit), 100 * r.mean, 100 * r.largest, r.at,
                           r.peaks[0], r.peaks[1], r.differs ? "  differs" : "");
-  return text + fmt::format("\n{}\n{}\n", c.verdict, c.agree ? "agree" : "differ");
+  return core::printable(text + fmt::format("\n{}\n{}\n", c.verdict, c.agree ? "agree" : "differ"));
 }
 
 void write_comparison(std::string const& path, Comparison const& c, RunFolder const& first,

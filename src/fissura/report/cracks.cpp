@@ -6,9 +6,10 @@
 
 namespace fissura::report {
 
-void Cracks::take(output::VtuFile const& file) {
-  auto const x = file.floats("Points", "Points");
-  auto const u = file.floats("PointData", "displacement");
+void Cracks::take(output::FrameFile const& file) {
+  auto const x = file.floats("Points", "Points", 3);
+  auto const u = file.floats("PointData", "displacement", 3);
+  if (file.points() != 3 * file.cells()) file.refuse("its joints do not have three points each");
   auto const opening = file.floats("CellData", "opening"), sliding = file.floats("CellData", "sliding");
   auto const damage = file.floats("CellData", "damage"), failed = file.floats("CellData", "time_of_failure");
   auto const modes = file.integers("CellData", "mode");

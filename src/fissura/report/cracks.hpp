@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fissura/core/hash.hpp"
-#include "fissura/output/read_vtu.hpp"
+#include "fissura/output/read_frame.hpp"
 
 namespace fissura::report {
 
@@ -26,7 +26,7 @@ struct CrackFrame {
 class Cracks {
  public:
   /// Takes in the next frame; frames follow each other in time.
-  void take(output::VtuFile const& frame);
+  void take(output::FrameFile const& frame);
   /// Call once after the last frame: leaves only joints that were ever shown, in the order of their first
   /// appearance, so that the joints shown in a frame are the first few.
   void finish();

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <fmt/core.h>
 
-#include "fissura/output/read_vtu.hpp"
+#include "fissura/output/read_frame.hpp"
 #include "fissura/report/bars.hpp"
 #include "fissura/report/body.hpp"
 #include "fissura/report/cracks.hpp"
 
 namespace fissura::report {
 
+using output::FrameFile;
 using output::Json;
-using output::VtuFile;
 
 namespace {
 
@@ -29,7 +29,7 @@ class Frames {
   Frames(RunFolder const& run, std::string const& kind) : list_(run.frames.at(kind)) {}
   std::size_t size() const { return list_.size(); }
   double time(std::size_t i) const { return list_[i].time; }
-  VtuFile read(std::size_t i) const { return VtuFile(list_[std::min(i, list_.size() - 1)].file); }
+  FrameFile read(std::size_t i) const { return FrameFile(list_[std::min(i, list_.size() - 1)].file); }
 
  private:
   std::vector<Frame> const& list_;
@@ -43,8 +43,10 @@ void add_body(Blob& blob, Body const& body, Frames const& files, std::vector<std
   Json scales = Json::array();
   std::vector<float> shown(3 * body.node.size());
   for (std::size_t n = 0; n < chosen.size(); ++n) {
-    VtuFile const frame = files.read(chosen[n]);
-    auto const u = frame.floats("PointData", "displacement");
+    FrameFile const frame = files.read(chosen[n]);
+    auto const u = frame.floats("PointData", "displacement", 3);
+    if (frame.cells() != body.tets || frame.points() != 4 * body.tets)
+      frame.refuse("it has other tets than the first frame");
     for (std::size_t i = 0; i < body.node.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) shown[3 * i + k] = u[3 * body.node[i] + k];
     scales.push_back(blob.add_quantised(fmt::format("body/u/{}", n), all(shown)));
@@ -103,16 +105,20 @@ void add_bars(Blob& blob, Bars const& bars) {
 /// Planes and impactors: triangles, which of them move, and their displacement.
 void add_rigid(Blob& blob, Frames const& files, std::vector<std::size_t> const& chosen) {
   if (files.size() == 0) return;
-  VtuFile const first = files.read(0);
+  FrameFile const first = files.read(0);
   auto const body = first.integers("CellData", "impactor");
   std::vector<std::uint8_t> moves;
   for (auto const b : body) moves.push_back(b != 0);
-  blob.add("rigid/points", all(first.floats("Points", "Points")));
+  if (first.points() != 3 * first.cells()) first.refuse("its triangles do not have three points each");
+  blob.add("rigid/points", all(first.floats("Points", "Points", 3)));
   blob.add("rigid/moves", all(moves));
   Json scales = Json::array();
-  for (std::size_t n = 0; n < chosen.size(); ++n)
-    scales.push_back(blob.add_quantised(fmt::format("rigid/u/{}", n),
-                                        all(files.read(chosen[n]).floats("PointData", "displacement"))));
+  for (std::size_t n = 0; n < chosen.size(); ++n) {
+    FrameFile const frame = files.read(chosen[n]);
+    if (frame.points() != first.points()) frame.refuse("it has other triangles than the first frame");
+    scales.push_back(
+        blob.add_quantised(fmt::format("rigid/u/{}", n), all(frame.floats("PointData", "displacement", 3))));
+  }
   blob.meta["scene"]["rigid"] = {{"u", scales}};
 }
 
@@ -170,7 +176,7 @@ void add_scene(Blob& blob, RunFolder const& run, std::size_t bytes) {
   Body const body = find_body(fields.read(0), fields.read(fields.size() - 1));
   std::size_t const last_cracks =
       cracks_files.size() > 0 ? cracks_files.read(cracks_files.size() - 1).cells() : 0;
-  std::size_t const bar_cells = bar_files.size() > 0 ? bar_files.read(0).cells() : 0;
+  std::size_t const bar_cells = bar_files.size() > 0 ? bar_files.read(0).points() : 0;
   auto const chosen = spread(fields.size(), frames_that_fit(bytes, body, last_cracks, bar_cells));
   std::vector<double> times;
   for (std::size_t const i : chosen) times.push_back(fields.time(i));

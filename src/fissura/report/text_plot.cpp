@@ -13,7 +13,11 @@ namespace {
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void take(double v) { low = std::min(low, v), high = std::max(high, v); }
-  double share(double v) const { return high > low ? (v - low) / (high - low) : 0.5; }
+  /// Halves: the difference of the largest numbers is none.
+  double share(double v) const {
+    double const half = high / 2 - low / 2;
+    return half > 0 ? (v / 2 - low / 2) / half : 0.5;
+  }
 };
 
 /// A picture of dots, row 0 at the top; lines are drawn between neighbours.
@@ -67,7 +71,7 @@ std::string text_plot(std::span<double const> x, std::span<double const> y, std:
   auto const px = [&](double v) { return wide.share(v) * (across * size.width - 1); };
   auto const py = [&](double v) { return (1 - tall.share(v)) * (down * size.height - 1); };
   for (std::size_t i = 1; i < x.size(); ++i)
-    if (std::isfinite(x[i] + y[i] + x[i - 1] + y[i - 1]))
+    if (std::isfinite(x[i]) && std::isfinite(y[i]) && std::isfinite(x[i - 1]) && std::isfinite(y[i - 1]))
       raster.line(px(x[i - 1]), py(y[i - 1]), px(x[i]), py(y[i]));
 
   std::string text = y_label + "\n";
@@ -88,7 +92,8 @@ std::string text_plot(std::span<double const> x, std::span<double const> y, std:
 }
 
 std::string progress_bar(double share, int width) {
-  int const done = std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
+  double const part = share > 0 ? std::min(share, 1.0) : 0; // not a number is nothing done
+  int const done = static_cast<int>(std::lround(part * width));
   return fmt::format("{:#<{}}{:.<{}}", "", done, "", width - done);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "fissura/core/error.hpp"
+#include "fissura/core/printable.hpp"
 #include "fissura/report/history_numbers.hpp"
 
 namespace fissura::report {
@@ -99,7 +100,7 @@ std::string watch_screen(RunFolder const& run, WatchOptions const& options) {
   auto const deck = describe_deck(run);
   std::string const title = deck.value("title", "");
   std::string text = fmt::format("{}\n{}", title.empty() ? run.name() : title, progress(run));
-  if (run.history.rows() == 0) return text + "history.csv has no rows yet\n";
+  if (run.history.rows() == 0) return core::printable(text + "history.csv has no rows yet\n");
   text += fmt::format("energy residual {:+.2g} %   {}", 100 * last(run, "energy_residual"), counts(run));
 
   auto const chosen = main_pair(run);
@@ -110,7 +111,7 @@ std::string watch_screen(RunFolder const& run, WatchOptions const& options) {
   if (!run.log.empty()) text += "\n";
   for (std::size_t i = run.log.size() - std::min<std::size_t>(3, run.log.size()); i < run.log.size(); ++i)
     text += run.log[i].text + "\n";
-  return text;
+  return core::printable(text);
 }
 
 } // namespace fissura::report

@@ -1,12 +1,12 @@
 #include "fissura/sim/fields.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fmt/core.h>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/core/error.hpp"
+#include "fissura/output/vtp.hpp"
+#include "fissura/output/vtu.hpp"
 #include "fissura/sim/fragments.hpp"
 
 namespace fissura::sim {
@@ -28,6 +28,21 @@ void add_cell(Grid& g, std::uint8_t type, int count) {
   for (int i = 0; i < count; ++i) g.connectivity.push_back(first + i);
   g.offsets.push_back(first + count);
   g.types.push_back(type);
+}
+
+/// Cracks only where there are joints, rigid bodies only where there are some, the surface unless it is
+/// switched off.
+bool is_written(Model const& m, std::string_view collection) {
+  if (collection == "cracks") return m.joints.count > 0;
+  if (collection == "rigid") return !m.rigid.empty();
+  return collection != "surface" || m.source.output.surface;
+}
+
+Grid grid_of(std::string_view collection, Model const& m, State const& s) {
+  if (collection == "fields") return tet_grid(m, s);
+  if (collection == "cracks") return crack_frame(m, s);
+  if (collection == "bars") return bar_lines(m, s);
+  return collection == "surface" ? surface_grid(m, s) : rigid_grid(m, s);
 }
 
 } // namespace
@@ -54,44 +69,6 @@ Grid tet_grid(Model const& m, State const& s) {
                  {"group", 1, group, ""},
                  {"input_id", 1, number, ""},
                  {"fragment", 1, std::vector<std::int32_t>(fragment.begin(), fragment.end()), ""}};
-  return g;
-}
-
-Grid crack_grid(Model const& m, State const& s) {
-  Grid g;
-  std::vector<float> displacement, opening, sliding, damage, failed, lost_I, lost_II;
-  std::vector<std::int32_t> mode, broken;
-  for (int j = 0; j < m.joints.count; ++j) {
-    auto const status = static_cast<state::JointStatus>(s.joint_status[j]);
-    if (status == state::JointStatus::intact) continue;
-    auto const& joint = m.joints.joints[j];
-    auto const history = s.joint_history.of(static_cast<std::size_t>(j));
-    for (int k = 0; k < 3; ++k) {
-      g.points.push_back(m.position.at(joint.node_a[k]));
-      append(displacement, 0.5 * (s.u.at(joint.node_a[k]) + s.u.at(joint.node_b[k])));
-    }
-    add_cell(g, output::cell_type::triangle, 3);
-    auto const kinematics = concrete::joint_kinematics(m, s, j);
-    double o = 0, slid = 0, kappa = 0;
-    for (int q = 0; q < 3; ++q) {
-      o += kinematics.at[q].opening / 3;
-      slid += std::hypot(kinematics.at[q].sliding_1, kinematics.at[q].sliding_2) / 3;
-      kappa += history.point[q].kappa / 3;
-    }
-    opening.push_back(static_cast<float>(o));
-    sliding.push_back(static_cast<float>(slid));
-    damage.push_back(static_cast<float>(kappa));
-    failed.push_back(static_cast<float>(history.time_of_failure));
-    lost_I.push_back(static_cast<float>(history.dissipated.mode_I));
-    lost_II.push_back(static_cast<float>(history.dissipated.mode_II));
-    mode.push_back(static_cast<std::int32_t>(laws::crack_mode(history.dissipated)));
-    broken.push_back(status >= state::JointStatus::broken);
-  }
-  g.point_data = {{"displacement", 3, displacement, "m"}};
-  g.cell_data = {{"opening", 1, opening, "m"},        {"sliding", 1, sliding, "m"},
-                 {"damage", 1, damage, "-"},          {"mode", 1, mode, "-"},
-                 {"time_of_failure", 1, failed, "s"}, {"broken", 1, broken, "-"},
-                 {"fracture_I", 1, lost_I, "J"},      {"fracture_II", 1, lost_II, "J"}};
   return g;
 }
 
@@ -143,9 +120,12 @@ Grid bar_grid(Model const& m, State const& s) {
   return g;
 }
 
-FieldWriter::FieldWriter(std::string const& folder)
-    : folder_(folder), fields_(folder + "/fields.pvd"), cracks_(folder + "/cracks.pvd"),
-      bars_(folder + "/bars.pvd"), rigid_(folder + "/rigid.pvd") {
+bool is_poly_data(std::string_view collection) {
+  return collection == "bars" || collection == "surface";
+}
+
+FieldWriter::FieldWriter(std::string const& folder) : folder_(folder) {
+  for (std::string_view const name : collections) lists_.emplace_back(fmt::format("{}/{}.pvd", folder, name));
   std::error_code ec;
   std::filesystem::create_directories(folder + "/frames", ec);
   if (ec)
@@ -153,35 +133,36 @@ FieldWriter::FieldWriter(std::string const& folder)
                       fmt::format("{}/frames: cannot create the folder: {}", folder, ec.message()));
 }
 
-std::string frame_file(char const* collection, std::size_t number) {
-  return fmt::format("frames/{}_{:05}.vtu", collection, number);
-}
-
-void FieldWriter::add(output::PvdWriter& list, char const* name, double time, Grid const& grid) {
-  std::string const file = frame_file(name, frames_.size());
-  output::write_vtu(folder_ + "/" + file, grid);
-  list.add(time, std::vector<std::string>{file});
+std::string frame_file(std::string_view collection, std::size_t number) {
+  return fmt::format("frames/{}_{:05}.{}", collection, number, is_poly_data(collection) ? "vtp" : "vtu");
 }
 
 void FieldWriter::write(Model const& m, State const& s) {
-  add(fields_, "fields", s.time, tet_grid(m, s));
-  add(cracks_, "cracks", s.time, crack_grid(m, s));
-  add(bars_, "bars", s.time, bar_grid(m, s));
-  if (!m.rigid.empty()) add(rigid_, "rigid", s.time, rigid_grid(m, s));
+  for (std::size_t i = 0; i < collections.size(); ++i) {
+    std::string_view const name = collections[i];
+    if (!is_written(m, name)) continue;
+    Grid grid = grid_of(name, m, s);
+    grid.time = s.time;
+    std::string const file = frame_file(name, frames_.size());
+    (is_poly_data(name) ? output::write_vtp : output::write_vtu)(folder_ + "/" + file, grid);
+    lists_[i].add(s.time, std::vector<std::string>{file});
+  }
   frames_.push_back({s.time});
 }
 
 void FieldWriter::start_with(Model const& m, std::vector<Frame> const& frames) {
   frames_ = frames;
-  auto start = [&](output::PvdWriter& list, char const* name) {
+  for (std::size_t i = 0; i < collections.size(); ++i) {
+    if (!is_written(m, collections[i])) continue;
     std::vector<std::pair<double, std::string>> entries;
-    for (std::size_t i = 0; i < frames.size(); ++i) entries.emplace_back(frames[i].time, frame_file(name, i));
-    list.start_with(entries);
-  };
-  start(fields_, "fields");
-  start(cracks_, "cracks");
-  start(bars_, "bars");
-  if (!m.rigid.empty()) start(rigid_, "rigid");
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+      std::string const file = frame_file(collections[i], n);
+      std::error_code ec; // a collection that is switched on later has no frames from before
+      if (collections[i] != "surface" || std::filesystem::exists(folder_ + "/" + file, ec))
+        entries.emplace_back(frames[n].time, file);
+    }
+    lists_[i].start_with(entries);
+  }
 }
 
 } // namespace fissura::sim

@@ -1,12 +1,14 @@
 #pragma once
 // Frames for ParaView: what a run looks like at one time.
+#include <array>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "fissura/model/model.hpp"
+#include "fissura/output/grid.hpp"
 #include "fissura/output/pvd.hpp"
-#include "fissura/output/vtu.hpp"
 #include "fissura/state/state.hpp"
 
 namespace fissura::sim {
@@ -15,8 +17,16 @@ namespace fissura::sim {
 output::Grid tet_grid(model::Model const& m, state::State const& s);
 /// Damaged joints as triangles: opening, sliding, damage, mode, time of failure, dissipated energy.
 output::Grid crack_grid(model::Model const& m, state::State const& s);
-/// Bar elements as lines (stress) and bar joints as vertices (slip, strain, stress).
+/// The same as a frame has it: where no joint is damaged the first one of the model stands in, undamaged,
+/// since some readers (meshio) cannot open a file without cells.
+output::Grid crack_frame(model::Model const& m, state::State const& s);
+/// Bar elements as lines (stress) and bar joints as vertices (slip, strain, stress), for Python.
 output::Grid bar_grid(model::Model const& m, state::State const& s);
+/// Bars as polylines, as frames have them: one per bar, two where it has ruptured or leaves the concrete for
+/// a while. Points are the ends of bar elements, two to each, in the order of the elements; fields at points.
+output::Grid bar_lines(model::Model const& m, state::State const& s);
+/// The outer faces of the body and both faces of every cracked joint, as triangles: opening, damage, ...
+output::Grid surface_grid(model::Model const& m, state::State const& s);
 /// Surfaces of planes (a patch) and impactors as triangles: displacement, velocity; which body.
 output::Grid rigid_grid(model::Model const& m, state::State const& s);
 
@@ -27,10 +37,13 @@ struct Frame {
   static auto fields(auto& self) { return std::tie(self.time); }
 };
 
-/// The file of a frame, seen from the run folder. Collections: fields, cracks, bars, rigid.
-std::string frame_file(char const* collection, std::size_t number);
+/// What a run draws, each with a list of its frames, <name>.pvd.
+inline constexpr std::array<std::string_view, 5> collections{"fields", "cracks", "bars", "surface", "rigid"};
 
-/// The collections of a run folder; that of the rigid bodies only where there are some.
+/// The file of a frame, seen from the run folder.
+std::string frame_file(std::string_view collection, std::size_t number);
+
+/// The collections of a run folder, each where it has something to show.
 class FieldWriter {
  public:
   explicit FieldWriter(std::string const& folder);
@@ -41,9 +54,8 @@ class FieldWriter {
   void start_with(model::Model const& m, std::vector<Frame> const& frames);
 
  private:
-  void add(output::PvdWriter& list, char const* name, double time, output::Grid const& grid);
   std::string folder_;
-  output::PvdWriter fields_, cracks_, bars_, rigid_;
+  std::vector<output::PvdWriter> lists_; ///< one per collection
   std::vector<Frame> frames_;
 };
 

@@ -12,6 +12,7 @@
 #include <spdlog/spdlog.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/core/printable.hpp"
 #include "fissura/output/atomic_file.hpp"
 #include "fissura/sim/terminal.hpp"
 
@@ -89,7 +90,8 @@ void Log::close_file() {
 void Log::write(Level level, std::string const& line) {
   constexpr std::array levels{spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
                               spdlog::level::err};
-  sinks_->logger.log(levels[static_cast<std::size_t>(level)], line);
+  // Names and texts of the case reach the terminal, and whoever prints log.txt, through here.
+  sinks_->logger.log(levels[static_cast<std::size_t>(level)], core::printable(line));
 }
 
 void Log::flush() {

@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char const* collections[] = {"fields", "cracks", "bars", "rigid"};
-
 [[noreturn]] void fail(char const* doing, fs::path const& path, std::error_code ec) {
   throw core::Error(core::Failure::io, fmt::format("cannot {} '{}': {}", doing, path.string(), ec.message()));
 }
@@ -43,7 +41,7 @@ std::vector<fs::path> files_in(fs::path const& folder) {
 
 std::set<std::string> frame_names(std::size_t count) {
   std::set<std::string> names;
-  for (char const* collection : collections)
+  for (std::string_view const collection : collections)
     for (std::size_t i = 0; i < count; ++i)
       names.insert(fs::path(frame_file(collection, i)).filename().string());
   return names;
@@ -51,9 +49,9 @@ std::set<std::string> frame_names(std::size_t count) {
 
 /// Frames as the program names them, and what it left half written.
 bool is_our_frame(fs::path const& file) {
-  for (char const* collection : collections)
+  for (std::string_view const collection : collections)
     if (file.filename().string().starts_with(std::string(collection) + "_"))
-      return file.extension() == ".vtu" || file.extension() == ".part";
+      return file.extension() == ".vtu" || file.extension() == ".vtp" || file.extension() == ".part";
   return false;
 }
 
@@ -112,8 +110,8 @@ void make_folder(std::string const& folder, bool force) {
                       fmt::format("{} exists already; choose another --out or add --force", folder));
   if (force) {
     for (char const* old :
-         {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "rigid.pvd", "frames",
-          "checkpoints", "log.txt", "case.toml", "report.html", "stop", "output_now"}) {
+         {"run.json", "history.csv", "fields.pvd", "cracks.pvd", "bars.pvd", "surface.pvd", "rigid.pvd",
+          "frames", "checkpoints", "log.txt", "case.toml", "report.html", "stop", "output_now"}) {
       fs::remove_all(fs::path(folder) / old, ec);
       if (ec) fail("remove", fs::path(folder) / old, ec);
     }

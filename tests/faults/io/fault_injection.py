@@ -29,7 +29,7 @@ def run(program, out, environment, *arguments, begin='--out'):
                           timeout=120, cwd=os.path.dirname(out) if os.path.isdir(os.path.dirname(out)) else None)
 
 
-def is_whole_vtu(path):
+def is_whole_frame(path):
     with open(path, 'rb') as file:
         return file.read().rstrip().endswith(b'</VTKFile>')
 
@@ -40,7 +40,7 @@ def broken_files(out):
     for folder, _, names in os.walk(out):
         for name in names:
             path = os.path.join(folder, name)
-            if name.endswith('.vtu') and not is_whole_vtu(path):
+            if name.endswith(('.vtu', '.vtp')) and not is_whole_frame(path):
                 broken.append(path)
             if name.endswith('.pvd'):
                 for entry in xml.parse(path).getroot().iter('DataSet'):

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 
 #include "fissura/core/error.hpp"
+#include "fissura/output/read_frame.hpp"
 #include "fissura/output/vtu.hpp"
 #include "temporary_folder.hpp"
 #include "vtu_reader.hpp"
@@ -92,6 +94,27 @@ TEST(Vtu, EmptyGridKeepsItsArrays) {
   EXPECT_EQ(testing::attribute(r.header, "NumberOfCells"), "0");
   EXPECT_EQ(r.arrays.at("opening").bytes, "");
   EXPECT_EQ(r.arrays.at("opening").blocks, 0u);
+}
+
+// Requirement: a line break ends the raw data, which meshio looks for, and the time of the frame stands where
+// VTK's readers look for it.
+TEST(Vtu, EndsItsDataAndTellsItsTime) {
+  TemporaryFolder folder;
+  Grid g = small_grid();
+  g.time = 0.0125;
+  write_vtu(folder / "a.vtu", g);
+  std::string const file = read_bytes(folder / "a.vtu");
+  EXPECT_NE(file.find("\n</AppendedData>"), std::string::npos);
+  EXPECT_EQ(file.find("</AppendedData>"), file.rfind("</AppendedData>"));
+  std::size_t const time = file.find("Name=\"TimeValue\"");
+  ASSERT_LT(time, file.find("<Piece"));
+  EXPECT_NE(file.find("NumberOfTuples=\"1\"", time), std::string::npos);
+  std::size_t const data = file.find("<AppendedData encoding=\"raw\">_") + 30;
+  double value = 0;
+  std::string const first = inflate_blocks(std::string_view(file).substr(data), 0);
+  ASSERT_EQ(first.size(), sizeof value);
+  std::memcpy(&value, first.data(), sizeof value);
+  EXPECT_EQ(value, 0.0125);
 }
 
 // Requirement: names with XML's own characters do not break the file.

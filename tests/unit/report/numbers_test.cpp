@@ -15,17 +15,23 @@
 #include "fissura/report/page.hpp"
 #include "fissura/report/report.hpp"
 #include "fissura/report/scene.hpp"
+#include "support/refusal.hpp"
 #include "unit/report/support.hpp"
 
 namespace fissura::report {
 namespace {
 
-using output::VtuFile;
+using output::FrameFile;
 using testing::TemporaryFolder;
 
-VtuFile file_of(TemporaryFolder const& t, output::Grid const& g) {
+FrameFile file_of(TemporaryFolder const& t, output::Grid const& g) {
   output::write_vtu(t / "grid.vtu", g);
-  return VtuFile(t / "grid.vtu");
+  return FrameFile(t / "grid.vtu");
+}
+
+FrameFile bars_of(TemporaryFolder const& t, output::Grid const& g) {
+  output::write_vtp(t / "bars.vtp", g);
+  return FrameFile(t / "bars.vtp");
 }
 
 std::string bytes_of(std::string const& base64_text) {
@@ -167,14 +173,77 @@ TEST(Cracks, TableLeavesOutRoomBetweenPieces) {
 TEST(Bars, MeasuresAlongTheBar) {
   TemporaryFolder const t;
   Bars b;
-  b.take(file_of(t, testing::one_bar(1e8F)));
+  b.take(bars_of(t, testing::one_bar(1e8F)));
   ASSERT_EQ(b.along.size(), 2u);
   EXPECT_NEAR(b.along[0], 0.2, 1e-6);
   EXPECT_NEAR(b.along[1], 0.65, 1e-6);
+  ASSERT_EQ(b.joint_along.size(), 1u); // told at both of its sides, and counted once
   EXPECT_NEAR(b.joint_along[0], 0.4, 1e-6);
   EXPECT_EQ(b.joint_state[0], 1);
+  EXPECT_NEAR(b.frames[0].stress[1], 5e7, 1);
   EXPECT_NEAR(b.frames[0].joint_stress[0], 2e8, 1);
   EXPECT_NEAR(b.frames[0].slip[0], 2e-4, 1e-9);
+}
+
+// Requirement: a bar that ruptures becomes two lines, and stays the same bar with the same elements and
+// joints.
+TEST(Bars, StayTheSameWhenTheyRupture) {
+  TemporaryFolder const t;
+  Bars b;
+  b.take(bars_of(t, testing::one_bar(1e8F)));
+  b.take(bars_of(t, testing::one_bar(2e8F, true)));
+  ASSERT_EQ(b.frames.size(), 2u);
+  EXPECT_NEAR(b.frames[1].stress[1], 1e8, 1);
+  EXPECT_EQ(b.joint_state[0], 2);
+}
+
+// Requirement: bars of an earlier version, of another model, or whose points are not those of bar elements
+// are refused with the file and the reason.
+TEST(Bars, RefuseWhatIsNone) {
+  TemporaryFolder const t;
+  auto const expect = [&](auto const& action, std::string const& reason) {
+    std::string const text = support::refusal(core::Failure::io, action);
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
+  };
+  Bars b;
+  auto other = testing::one_bar(0);
+  other.types = {output::cell_type::line, output::cell_type::line}, other.offsets = {2, 4};
+  other.cell_data.clear();
+  expect([&] { b.take(file_of(t, other)); },
+         "grid.vtu': its bars are as earlier versions of Fissura wrote them");
+  auto odd = testing::one_bar(0);
+  odd.offsets = {3, 4}, odd.types.push_back(output::cell_type::poly_line);
+  odd.cell_data.clear();
+  odd.cell_data = {{"bar", 1, std::vector<std::int32_t>{0, 0}, ""},
+                   {"copy", 1, std::vector<std::int32_t>{0, 0}, ""}};
+  expect([&] { b.take(bars_of(t, odd)); }, "a bar element has no end");
+  auto crossed = testing::one_bar(0);
+  crossed.connectivity = {0, 2, 1, 3};
+  expect([&] { b.take(bars_of(t, crossed)); }, "its points do not lie along its lines");
+  b = {};
+  b.take(bars_of(t, testing::one_bar(0)));
+  expect([&] { b.take(bars_of(t, output::Grid{})); }, "it has other bars than the first frame");
+}
+
+// Requirement: frames that do not belong to each other, or whose points lie nowhere, are refused by name.
+TEST(Scene, RefusesFramesThatDoNotFit) {
+  TemporaryFolder const t;
+  auto const expect = [&](char const* file, output::Grid const& g, std::string const& reason) {
+    testing::make_running(t / "run", 3);
+    output::write_vtu(t / "run/frames/" + std::string(file), g);
+    std::string const text =
+        support::refusal(core::Failure::io, [&] { report_numbers(RunFolder(t / "run"), {}); });
+    EXPECT_NE(text.find(file + std::string("': ") + reason), std::string::npos) << text;
+  };
+  auto one = testing::two_tets(false);
+  one.points.resize(4), one.connectivity.resize(4), one.offsets = {4}, one.types.resize(1);
+  one.point_data = {testing::displacement(one, 0)}, one.cell_data.clear();
+  expect("fields_1.vtu", one, "it has other tets than the first frame");
+  auto nowhere = testing::two_tets(false);
+  nowhere.points[3].y = std::numeric_limits<double>::quiet_NaN();
+  expect("fields_0.vtu", nowhere, "a point of it has no place");
+  expect("fields_0.vtu", testing::joints({0}, {1e-4F}, 1), "its tets do not have four points each");
+  expect("cracks_1.vtu", testing::two_tets(false), "its joints do not have three points each");
 }
 
 // Requirement: frames are left out evenly, never the first or the last.

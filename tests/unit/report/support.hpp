@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fissura/output/pvd.hpp"
+#include "fissura/output/vtp.hpp"
 #include "fissura/output/vtu.hpp"
 #include "unit/output/temporary_folder.hpp"
 
@@ -59,21 +60,24 @@ inline output::Grid joints(std::vector<double> const& heights, std::vector<float
   return g;
 }
 
-/// A bar of two elements along x and the joint between them.
-inline output::Grid one_bar(float stress) {
+/// A bar of two elements along x and the joint between them; a ruptured bar is two lines.
+inline output::Grid one_bar(float stress, bool ruptured = false) {
   output::Grid g;
-  add_cell(g, output::cell_type::line, {{-0.4, 0.1, 0.1}, {0, 0.1, 0.1}});
-  add_cell(g, output::cell_type::line, {{0, 0.1, 0.1}, {0.5, 0.1, 0.1}});
-  add_cell(g, output::cell_type::vertex, {{0, 0.1, 0.1}});
-  g.point_data = {displacement(g, 0)};
-  std::vector<std::int32_t> const none(3, 0);
-  g.cell_data = {{"stress", 1, std::vector<float>{stress, stress / 2, 2 * stress}, "Pa"},
-                 {"strain", 1, std::vector<float>(3, 1e-3F), "-"},
-                 {"slip", 1, std::vector<float>{0, 0, 2e-4F}, "m"},
-                 {"bar", 1, none, ""},
-                 {"copy", 1, none, ""},
-                 {"yielded", 1, std::vector<std::int32_t>{0, 0, 1}, ""},
-                 {"broken", 1, none, ""}};
+  g.points = {{-0.4, 0.1, 0.1}, {0, 0.1, 0.1}, {0, 0.1, 0.1}, {0.5, 0.1, 0.1}};
+  g.connectivity = {0, 1, 2, 3};
+  g.offsets = ruptured ? std::vector<std::int64_t>{2, 4} : std::vector<std::int64_t>{4};
+  g.types.assign(g.offsets.size(), output::cell_type::poly_line);
+  std::int32_t const broken = ruptured ? 1 : 0;
+  g.point_data = {displacement(g, 0),
+                  {"stress", 1, std::vector<float>{stress, stress, stress / 2, stress / 2}, "Pa"},
+                  {"joint", 1, std::vector<std::int32_t>{-1, 0, 0, -1}, "-"},
+                  {"joint_stress", 1, std::vector<float>{0, 2 * stress, 2 * stress, 0}, "Pa"},
+                  {"joint_strain", 1, std::vector<float>{0, 1e-3F, 1e-3F, 0}, "-"},
+                  {"slip", 1, std::vector<float>{0, 2e-4F, 2e-4F, 0}, "m"},
+                  {"yielded", 1, std::vector<std::int32_t>{0, 1, 1, 0}, "-"},
+                  {"broken", 1, std::vector<std::int32_t>{0, broken, broken, 0}, "-"}};
+  std::vector<std::int32_t> const none(g.types.size(), 0);
+  g.cell_data = {{"bar", 1, none, "-"}, {"copy", 1, none, "-"}};
   return g;
 }
 
@@ -99,8 +103,9 @@ inline void make_running(std::string const& folder, int frames, double factor = 
       bars(folder + "/bars.pvd");
   for (int i = 0; i < frames; ++i) {
     auto const add = [&](output::PvdWriter& list, std::string const& kind, output::Grid const& g) {
-      std::string const file = "frames/" + kind + "_" + std::to_string(i) + ".vtu";
-      output::write_vtu(folder + "/" + file, g);
+      bool const lines = kind == "bars";
+      std::string const file = "frames/" + kind + "_" + std::to_string(i) + (lines ? ".vtp" : ".vtu");
+      (lines ? output::write_vtp : output::write_vtu)(folder + "/" + file, g);
       list.add(0.01 * i, {file});
     };
     bool const last = i + 1 == frames;
