@@ -19,7 +19,7 @@ namespace fissura::laws {
 struct Branch {
   double strain = 0, stress = 0; ///< where it begins: the last reversal
   double own_1 = 0, own_2 = 0;   ///< what the law alone knows the meaning of
-  double left = 0;               ///< strain at which it was left last; of remembered branches only
+  double left = 0;               ///< how far the path went along or below it; of remembered branches only
 };
 
 /// Branches of one direction, the outermost first.
@@ -31,22 +31,11 @@ struct BranchList {
   bool empty() const noexcept { return count == 0; }
   Branch& innermost() noexcept { return at[static_cast<std::size_t>(count - 1)]; }
   void drop_innermost() noexcept { at[static_cast<std::size_t>(--count)] = {}; }
-  /// In a full list, of the two neighbours that were left closest to each other the inner one gives way: a
-  /// loop no wider than their distance then closes on the next branch instead of its own.
-  void remember(Branch const& branch) noexcept {
-    if (count < capacity) {
-      at[static_cast<std::size_t>(count++)] = branch;
-      return;
-    }
-    std::size_t closest = capacity; // the branch itself, inside all others
-    double least = std::abs(branch.left - at[capacity - 1].left);
-    for (std::size_t i = 1; i < capacity; ++i) {
-      double const distance = std::abs(at[i].left - at[i - 1].left);
-      if (distance < least) least = distance, closest = i;
-    }
-    if (closest == capacity) return;
-    for (std::size_t i = closest; i + 1 < capacity; ++i) at[i] = at[i + 1];
-    at[capacity - 1] = branch;
+  void remember(Branch const& branch) noexcept { at[static_cast<std::size_t>(count++)] = branch; }
+  void forget(int which) noexcept {
+    for (int i = which; i + 1 < count; ++i)
+      at[static_cast<std::size_t>(i)] = at[static_cast<std::size_t>(i + 1)];
+    drop_innermost();
   }
 };
 
@@ -71,12 +60,40 @@ template <class Law, class Path> bool sort_out(Law const& law, Path& path, int d
   return false;
 }
 
+/// Room for one more. Of the two neighbours that differ least in stress here, the inner one gives way (the
+/// branch that is just left, if it is that one: then there is no need for room). A loop that would have
+/// closed on it closes on the other one: so the error is that difference, and rippling, which fills a list,
+/// makes the smallest.
+template <class Law>
+bool make_room(Law const& law, BranchList& list, int direction, double strain, double stress) {
+  int closest = list.count;
+  double least = std::abs(law.stress_on(list.innermost(), direction, strain) - stress);
+  for (int i = 1; i < list.count; ++i) {
+    auto const& outer = list.at[static_cast<std::size_t>(i - 1)];
+    auto const& inner = list.at[static_cast<std::size_t>(i)];
+    double const gap =
+        std::abs(law.stress_on(outer, direction, strain) - law.stress_on(inner, direction, strain));
+    if (gap < least) least = gap, closest = i;
+  }
+  if (closest == list.count) return false;
+  list.forget(closest);
+  return true;
+}
+
+template <class Law, class Path> void leave(Law const& law, Path& path) noexcept {
+  auto& list = remembered(path, path.direction);
+  for (int i = 0; i < list.count; ++i) {
+    auto& left = list.at[static_cast<std::size_t>(i)].left;
+    if (path.direction * (path.strain - left) > 0) left = path.strain;
+  }
+  path.now.left = path.strain;
+  if (list.count < BranchList::capacity || make_room(law, list, path.direction, path.strain, path.stress))
+    list.remember(path.now);
+}
+
 template <class Law, class Path> void turn(Law& law, Path& path, int direction) noexcept {
   bool const first = path.direction == 0;
-  if (!first) {
-    path.now.left = path.strain;
-    remembered(path, path.direction).remember(path.now);
-  }
+  if (!first) leave(law, path);
   path.direction = direction;
   if (first || sort_out(law, path, direction)) return;
   path.now = law.branch_from(path.strain, path.stress, direction, remembered(path, direction));

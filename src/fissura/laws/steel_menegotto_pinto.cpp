@@ -17,12 +17,19 @@ double hardening(SteelParams const& p) {
   return (p.f_u - p.f_y) / (p.eps_u - p.eps_y()) / p.E_s;
 }
 
+/// Plastic strain over eps_y up to which a bar counts as elastic.
+constexpr double elastic_until = 0.05;
+
+/// Plastic strain of a loop, over eps_y, below which the new branch grows sharper: without any it is a
+/// straight line to the branch that it resumes, which a round one would miss a little each time.
+constexpr double closes_until = 0.25, straight = 0;
+
 /// Plastic strain of a loop, over eps_y, from which on it hardens the bar isotropically, and where it does so
 /// in full. Without a threshold the ripples of an explicit run would add up to it.
 constexpr double hardens_from = 0.25, hardens_fully = 1;
 
-/// Branches of Menegotto-Pinto steel: own_1 is the roundness R, own_2 the isotropic shift of the yield
-/// asymptote as a share of f_y.
+/// Branches of Menegotto-Pinto steel: own_1 is the roundness R (or `straight`), own_2 the isotropic shift of
+/// the yield asymptote as a share of f_y.
 struct MenegottoPintoBranches {
   SteelParams const& p;
   SteelHistory& h;
@@ -55,9 +62,16 @@ struct MenegottoPintoBranches {
         shift = std::max(shift, c.own_2);
       }
     }
-    double const corner = strain + strain_to_corner(c, direction);
-    double const xi = std::max(0.0, direction * (target - corner)) / p.eps_y();
+    double const span = strain_to_corner(c, direction);
+    double const xi = std::max(0.0, direction * (target - strain - span)) / p.eps_y();
     c.own_1 = R_0 - a_1 * xi / (a_2 + xi);
+    if (!resumed.empty()) {
+      double const loop = xi / closes_until;
+      if (loop < 1) c.own_1 = loop > 0.05 ? c.own_1 / loop : straight;
+      return c;
+    }
+    // A bar that has not yielded has the corner of the virgin curve ahead, as sharp, wherever it turns.
+    c.own_1 += R_0 * std::max(0.0, direction * span / p.eps_y() - 1) * std::max(0.0, 1 - xi / elastic_until);
     return c;
   }
 
@@ -70,6 +84,7 @@ struct MenegottoPintoBranches {
 
   double curve(Branch const& c, int direction, double strain) const noexcept {
     double const span = strain_to_corner(c, direction), from = strain - c.strain;
+    if (c.own_1 == straight) return c.stress + p.E_s * from;
     if (span * direction <= 1e-9 * p.eps_y()) return c.stress + b * p.E_s * from; // already on the asymptote
     double const x = from / span;
     double const round = x / std::pow(1 + std::pow(std::abs(x), c.own_1), 1 / c.own_1);
