@@ -46,11 +46,10 @@ FISSURA_FIELDS(state::JointRate, sum, weight, last_step, excess, frozen)
 
 FISSURA_FIELDS(laws::BondCurve, strength, eps_y, s_y, ramp, H1, H2, eps_0, s_0)
 FISSURA_FIELDS(laws::BondHistory, sigma_cr, curve, s_max, shift, eps_max, K, yielded)
-FISSURA_FIELDS(laws::KatoHistory, strain, stress, eps_v, sigma_v, eps_max, eps_z, eps_pm, share_pm,
-               E_B_unloading, E_B_loading, direction, ruptured)
-FISSURA_FIELDS(laws::MenegottoPintoHistory, strain, stress, eps_r, sigma_r, roundness, shift, eps_largest,
-               eps_smallest, direction, ruptured)
-FISSURA_FIELDS(laws::SteelHistory, kato, menegotto_pinto)
+FISSURA_FIELDS(laws::Branch, strain, stress, own_1, own_2, left)
+FISSURA_FIELDS(laws::BranchList, at, count)
+FISSURA_FIELDS(laws::SteelHistory, strain, stress, now, rising, falling, eps_largest, eps_smallest, eps_z,
+               direction, ruptured)
 FISSURA_FIELDS(laws::DowelHistory, DI, softening, V_max, strength)
 FISSURA_FIELDS(laws::BarJointHistory, activated, yielded, ruptured, S_0, t_0, stored_0, bond, steel, dowel, S,
                t_s, sigma, V_s, strain)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cstdlib>
 #include <tuple>
 
 #include "fissura/core/finite.hpp"
@@ -57,6 +58,16 @@ bool touches_fit(model::Model const& m, std::vector<state::RigidTouch> const& to
   return std::all_of(touch.begin(), touch.end(), fits) && std::is_sorted(touch.begin(), touch.end(), before);
 }
 
+/// The branches that a bar remembers are as many as there is room for, or fewer.
+bool bars_fit(state::BarState const& bars) {
+  auto const fits = [](laws::BranchList const& list) {
+    return list.count >= 0 && list.count <= laws::BranchList::capacity;
+  };
+  return std::all_of(bars.history.begin(), bars.history.end(), [&](auto const& h) {
+    return fits(h.steel.rising) && fits(h.steel.falling) && std::abs(h.steel.direction) <= 1;
+  });
+}
+
 bool paths_fit(model::Model const& m, std::vector<state::PathState> const& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     if (paths[i].target < -1 || paths[i].target > static_cast<int>(m.paths[i].targets.size())) return false;
@@ -72,6 +83,7 @@ void validate(model::Model const& m, state::State const& s, Loader const& from) 
   if (!lanes_fit(s)) from.refuse("histories of joints do not fit their status");
   if (!pairs_fit(m, s.contact.pairs)) from.refuse("pairs of tets in contact do not fit the mesh");
   if (!touches_fit(m, s.rigid.touch)) from.refuse("points in touch with rigid bodies do not fit the mesh");
+  if (!bars_fit(s.bars)) from.refuse("a bar remembers more branches than there is room for");
   if (!paths_fit(m, s.paths)) from.refuse("a path has no such target");
 }
 

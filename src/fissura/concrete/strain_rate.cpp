@@ -32,20 +32,18 @@ double decay(Model const& m, int joint, int tet) {
 
 } // namespace
 
-double follow_strain_rate(Model const& m, State& s, int joint, Vec3 normal) {
-  if (s.joint_rate.size() == 0 || !m.joints.law(joint).straight_tension) return 1;
+void follow_strain_rate(Model const& m, State& s, int joint, Vec3 normal) {
+  if (s.joint_rate.size() == 0 || !m.joints.law(joint).straight_tension) return;
   auto& r = s.joint_rate[joint];
-  if (!r.frozen) {
-    auto const& face = m.adjacency.shared[m.joints.joints[joint].shared_face];
-    Vec3 const now = 0.5 * (sample(m, s, face.a.tet, normal) + sample(m, s, face.b.tet, normal));
-    // A joint that was quiet in between starts anew: old samples say nothing.
-    double const keep = r.last_step + 1 == s.step ? decay(m, joint, face.a.tet) : 0;
-    for (int i = 0; i < 3; ++i) r.sum[i] = keep * r.sum[i] + now[i];
-    r.weight = keep * r.weight + 1;
-    r.last_step = s.step;
-    r.excess = laws::rate_factor_mc2010(norm(Vec3{r.sum[0], r.sum[1], r.sum[2]}) / r.weight) - 1;
-  }
-  return 1 + r.excess;
+  if (r.frozen) return;
+  auto const& face = m.adjacency.shared[m.joints.joints[joint].shared_face];
+  Vec3 const now = 0.5 * (sample(m, s, face.a.tet, normal) + sample(m, s, face.b.tet, normal));
+  // A joint that was quiet in between starts anew: old samples say nothing.
+  double const keep = r.last_step + 1 == s.step ? decay(m, joint, face.a.tet) : 0;
+  for (int i = 0; i < 3; ++i) r.sum[i] = keep * r.sum[i] + now[i];
+  r.weight = keep * r.weight + 1;
+  r.last_step = s.step;
+  r.excess = laws::rate_factor_mc2010(norm(Vec3{r.sum[0], r.sum[1], r.sum[2]}) / r.weight) - 1;
 }
 
 } // namespace fissura::concrete

@@ -6,8 +6,8 @@
 namespace fissura::concrete {
 
 /// Takes a sample of the strain rate |D n| on the plane of an undamaged joint, the mean of its two tets, into
-/// the moving average, and renews the factor on its strengths; keeps the factor of a damaged joint. Returns
-/// the factor; 1 where the strength does not depend on the rate.
-double follow_strain_rate(model::Model const& m, state::State& s, int joint, Vec3 normal);
+/// the moving average, and renews the factor on its strengths (state::strength_factor); keeps the factor of a
+/// damaged joint. Does nothing where the strength does not depend on the rate.
+void follow_strain_rate(model::Model const& m, state::State& s, int joint, Vec3 normal);
 
 } // namespace fissura::concrete

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "fissura/deck/nearest.hpp"
@@ -112,11 +113,29 @@ void check_loads(Reader& reader) {
   if (c.gravity.on) check_reference(reader, &c.gravity, "stage", c.gravity.stage, stages, "[[stage]]");
 }
 
+/// The element of an uncracked bar is elastic, and a bar joint starts from a stress below f_y: a bar that has
+/// yielded before the run begins has no place in either, and its energy would be in no account.
+void check_prestress(Reader& reader, model::BarSpec const& bar) {
+  for (auto const& steel : reader.the_case.steels) {
+    if (steel.name != bar.steel || !reader.good(&steel, {"f_y", "E_s"})) continue;
+    double const yield = steel.f_y / steel.E_s;
+    if (std::abs(bar.initial_strain) < yield) return;
+    reader.error(
+        reader.place(&bar, "initial_strain"),
+        fmt::format("`initial_strain` = {} must be smaller than the strain at yield of steel \"{}\", f_y/E_s "
+                    "= {:.3g}: the bar would have yielded before the run begins. Give a smaller strain, or "
+                    "the bar a stronger steel",
+                    bar.initial_strain, bar.steel, yield));
+    return;
+  }
+}
+
 void check_bars(Reader& reader) {
   auto const& c = reader.the_case;
   Names const steels = names_of(c.steels);
   for (auto const& bar : c.bars) {
     check_reference(reader, &bar, "steel", bar.steel, steels, "[[steel]]");
+    if (reader.good(&bar, {"initial_strain"})) check_prestress(reader, bar);
     if (!bar.curve.empty() && !c.mesh.boxes.empty())
       reader.error(reader.place(&bar, "curve"),
                    "`curve` names a curve of a mesh file, and this mesh is made of boxes: give `points`");

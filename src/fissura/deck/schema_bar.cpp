@@ -74,7 +74,8 @@ Section bar_section() {
   f.flag("closed", &BarSpec::closed, "Joins the last point to the first.");
   f.integer("count", &BarSpec::count, "Number of equal bars.").range({1, 10000});
   f.point("spacing", &BarSpec::spacing, "Offset from one to the next; needed with `count`.");
-  f.number("initial_strain", &BarSpec::initial_strain, "Imposed strain; prestress > 0 stretches the steel.")
+  f.number("initial_strain", &BarSpec::initial_strain,
+           "Imposed strain; prestress > 0 stretches the steel. Smaller than f_y/E_s.")
       .range({-0.1, 0.1});
   crack_spacing(
       f, "Crack spacing seen by a bar joint: half the bar's length that belongs to it, h/2 (the paper), or "

@@ -24,45 +24,54 @@ double rounded(SteelParams const& p, double E_B, double x) {
   return p.f_y * (a - a * (a - 1) / (E_B * x / p.f_y + a - 1));
 }
 
-void turn(SteelParams const& p, KatoHistory& h, int direction) {
-  bool const yielded = is_beyond_yield(p, h.eps_max);
-  if (h.direction != 0) h.eps_v = h.strain, h.sigma_v = h.stress;
-  if (yielded && direction > 0 && h.stress < 0) {
-    h.eps_pm = h.strain, h.share_pm = h.stress / p.f_y;
-    h.E_B_loading = bauschinger_modulus(p, h.eps_max);
-  }
-  if (yielded && direction < 0 && h.stress >= 0) {
-    h.E_B_unloading = bauschinger_modulus(p, h.eps_max);
-    h.eps_z = std::max(h.eps_z, h.eps_v - h.sigma_v / p.E_s);
-  }
-  h.direction = direction;
-}
-
 /// The plateau also caps strains below eps_y, or curve (4) could pass f_y there and fall back with a jump.
 double tensile_limit(SteelParams const& p, double strain) {
   return is_beyond_yield(p, strain) ? kato_envelope(p, strain) : p.f_y;
 }
 
-double unloading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
-  // Where shear has lowered the strength since the bar turned, what the elastic line promises is too much.
-  double const line = std::min(elastic, tensile_limit(p, strain));
-  // Without a zero crossing there is no curve (2): so it is too where shear has lowered f_y below the stress
-  // of eps_max only since the bar turned.
-  bool const has_crossed = h.eps_z > KatoHistory{}.eps_z;
-  if (!is_beyond_yield(p, h.eps_max) || !has_crossed) return std::max(line, -p.f_y);
-  if (elastic < 0 && strain < h.eps_z)
-    return std::max(elastic, -rounded(p, h.E_B_unloading, h.eps_z - strain));
-  return line;
-}
+/// Branches of Kato's steel. Both directions: own_1 is E_B [Pa], frozen at the reversal. Rising: own_2 is the
+/// stress of a compressive reversal over f_y, which may fall; E_B = 0: it began in tension, without curve
+/// (4).
+struct KatoBranches {
+  SteelParams const& p;
+  SteelHistory& h;
 
-double loading(SteelParams const& p, KatoHistory const& h, double strain, double elastic) {
-  double stress = std::min(elastic, tensile_limit(p, strain));
-  if (strain > h.eps_pm) {
-    double const beyond = strain - (h.eps_pm + p.eps_y()), sigma_k = (h.share_pm + 1) * p.f_y;
-    if (beyond > 0) stress = std::min(stress, sigma_k + rounded(p, h.E_B_loading, beyond));
+  double indifferent() const noexcept { return 1e-9 * p.f_y; }
+
+  double stress_on(Branch const& b, int direction, double strain) const noexcept {
+    double const elastic = b.stress + p.E_s * (strain - b.strain);
+    return direction < 0 ? unloading(b, strain, elastic) : loading(b, strain, elastic);
   }
-  return stress;
-}
+
+  Branch branch_from(double strain, double stress, int direction, BranchList&) const noexcept {
+    Branch b;
+    b.strain = strain, b.stress = stress;
+    bool const yielded = is_beyond_yield(p, h.eps_largest);
+    if (direction < 0 || (yielded && stress < 0)) b.own_1 = bauschinger_modulus(p, h.eps_largest);
+    if (direction > 0) b.own_2 = stress / p.f_y;
+    if (direction < 0 && yielded && stress >= 0) h.eps_z = std::max(h.eps_z, strain - stress / p.E_s);
+    return b;
+  }
+
+ private:
+  double unloading(Branch const& b, double strain, double elastic) const noexcept {
+    // Where shear has lowered the strength since the bar turned, what the elastic line promises is too much.
+    double const line = std::min(elastic, tensile_limit(p, strain));
+    // Without a zero crossing there is no curve (2): so it is too where shear has lowered f_y below the
+    // stress of the largest strain only since the bar turned.
+    bool const has_crossed = h.eps_z > SteelHistory{}.eps_z;
+    if (!is_beyond_yield(p, h.eps_largest) || !has_crossed) return std::max(line, -p.f_y);
+    if (elastic < 0 && strain < h.eps_z) return std::max(elastic, -rounded(p, b.own_1, h.eps_z - strain));
+    return line;
+  }
+
+  double loading(Branch const& b, double strain, double elastic) const noexcept {
+    double const stress = std::min(elastic, tensile_limit(p, strain));
+    double const beyond = strain - (b.strain + p.eps_y()); // past the start of curve (4)
+    if (b.own_1 == 0 || beyond <= 0) return stress;
+    return std::min(stress, (b.own_2 + 1) * p.f_y + rounded(p, b.own_1, beyond));
+  }
+};
 
 } // namespace
 
@@ -84,14 +93,9 @@ double SteelKato::operator()(KatoHistory& h, double strain) const noexcept {
     h.strain = strain;
     return 0;
   }
-  if (strain != h.strain) {
-    int const direction = strain > h.strain ? 1 : -1;
-    if (direction != h.direction) turn(p, h, direction);
-  }
-  double const elastic = h.sigma_v + p.E_s * (strain - h.eps_v);
-  h.stress = h.direction < 0 ? unloading(p, h, strain, elastic) : loading(p, h, strain, elastic);
-  h.strain = strain;
-  if (is_beyond_yield(p, strain)) h.eps_max = std::max(h.eps_max, strain);
+  KatoBranches branches{p, h};
+  follow(branches, h, strain);
+  if (is_beyond_yield(p, strain)) h.eps_largest = std::max(h.eps_largest, strain);
   if (strain >= p.eps_br) h.ruptured = true, h.stress = 0;
   return h.stress;
 }

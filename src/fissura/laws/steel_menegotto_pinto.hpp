@@ -4,20 +4,13 @@
 // Source: Giuffre and Pinto (1970), Menegotto and Pinto (1973); isotropic shift by Filippou, Popov and
 // Bertero (1983). Parameters: SteelParams (eps_sh is not used: the curve has no plateau). Constants,
 // dimensionless: R_0 = 20, a_1 = 18.5, a_2 = 0.15 (roundness), a_3 = 0.01, a_4 = 7 (shift). History:
-// MenegottoPintoHistory. Misprints: none known. Theory: docs/theory/steel_menegotto_pinto.md.
+// SteelHistory. Misprints: none known. Theory: docs/theory/steel_menegotto_pinto.md.
+#include "fissura/laws/steel_history.hpp"
 #include "fissura/laws/steel_params.hpp"
 
 namespace fissura::laws {
 
-struct MenegottoPintoHistory {
-  double strain = 0, stress = 0;            ///< last evaluation [-], [Pa]
-  double eps_r = 0, sigma_r = 0;            ///< last reversal
-  double roundness = 20;                    ///< R of the current branch
-  double shift = 0;                         ///< isotropic shift of the yield asymptote, share of f_y
-  double eps_largest = 0, eps_smallest = 0; ///< extremes so far
-  int direction = 0;                        ///< +1 loading, -1 unloading, 0 still elastic
-  bool ruptured = false;
-};
+using MenegottoPintoHistory = SteelHistory;
 
 struct SteelMenegottoPinto {
   SteelParams params;

@@ -86,12 +86,17 @@ std::optional<Spot> find_in_joints(Model const& m, State const& s) {
 
 // ---- bars ---------------------------------------------------------------------------------------
 
-bool finite(laws::KatoHistory const& h) {
-  return finite(h.strain, h.stress, h.eps_v, h.sigma_v, h.eps_max, h.eps_z, h.eps_pm, h.share_pm,
-                h.E_B_unloading, h.E_B_loading);
+bool finite(laws::Branch const& b) {
+  return finite(b.strain, b.stress, b.own_1, b.own_2, b.left);
 }
-bool finite(laws::MenegottoPintoHistory const& h) {
-  return finite(h.strain, h.stress, h.eps_r, h.sigma_r, h.roundness, h.shift, h.eps_largest, h.eps_smallest);
+bool finite(laws::BranchList const& list) {
+  bool good = true;
+  for (auto const& b : list.at) good &= finite(b); // those not in use are zero
+  return good;
+}
+bool finite(laws::SteelHistory const& h) {
+  return finite(h.strain, h.stress, h.eps_largest, h.eps_smallest, h.eps_z) && finite(h.now) &&
+         finite(h.rising) && finite(h.falling);
 }
 bool finite(laws::BondCurve const& c) {
   return finite(c.strength, c.eps_y, c.s_y, c.ramp, c.H1, c.H2, c.eps_0, c.s_0);
@@ -101,7 +106,7 @@ bool finite(laws::BarJointHistory const& h) {
   auto const& d = h.dowel;
   return finite(h.S_0, h.t_0.x, h.t_0.y, h.t_0.z, h.stored_0, h.S, h.t_s, h.sigma, h.V_s, h.strain,
                 b.sigma_cr, b.s_max, b.shift, b.eps_max, b.K, d.DI, d.softening, d.V_max, d.strength) &&
-         finite(b.curve) && finite(h.steel.kato) && finite(h.steel.menegotto_pinto);
+         finite(b.curve) && finite(h.steel);
 }
 
 bool bar_joint_is_finite(state::BarState const& b, std::size_t i) {

@@ -204,6 +204,14 @@ std::vector<Fault> const faults{
     {"bar without section", "diameter = \"12 mm\"\n", "", "15:1: error: [[bar]] needs `diameter` or `area`"},
     {"bar of one point", ", [\"1 m\", \"0.1 m\", \"0.1 m\"]]", "]",
      "19:10: error: `points` needs at least 2 points"},
+    {"prestressed beyond yield", "diameter = \"12 mm\"", "diameter = \"12 mm\"\ninitial_strain = 0.0025",
+     "19:18: error: `initial_strain` = 0.0025 must be smaller than the strain at yield of steel \"S500\", "
+     "f_y/E_s "
+     "= 0.0025: the bar would have yielded before the run begins. Give a smaller strain, or the bar a "
+     "stronger "
+     "steel"},
+    {"shortened beyond yield", "diameter = \"12 mm\"", "diameter = \"12 mm\"\ninitial_strain = -0.003",
+     "19:18: error: `initial_strain` = -0.003 must be smaller than the strain at yield of steel \"S500\""},
     {"copies without spacing", "diameter = \"12 mm\"", "diameter = \"12 mm\"\ncount = 3",
      "19:9: error: 3 bars need `spacing`"},
     {"two kinds of selector", "where = {plane = \"x\", at = \"0 m\"}",

@@ -36,7 +36,7 @@ TEST(Archive, brings_back_every_field) {
     EXPECT_EQ(t.joint_history.rows[0].of(5).last[1].sliding_2,
               s.joint_history.rows[0].of(5).last[1].sliding_2);
     EXPECT_EQ(t.joint_rate[2].excess, s.joint_rate[2].excess);
-    EXPECT_EQ(t.bars.history[1].steel.kato.direction, s.bars.history[1].steel.kato.direction);
+    EXPECT_EQ(t.bars.history[1].steel.direction, s.bars.history[1].steel.direction);
     EXPECT_EQ(t.bars.history[2].bond.curve.s_0, s.bars.history[2].bond.curve.s_0);
     EXPECT_EQ(t.contact.pairs.back().stretch, s.contact.pairs.back().stretch);
     EXPECT_EQ(t.rigid.touch.back().offset, s.rigid.touch.back().offset);

@@ -82,6 +82,8 @@ inline state::State sound_state_at_random(unsigned seed) {
     t.tet = static_cast<int>(i), t.face = 1, t.point = 2, t.body = 1;
   }
   for (auto& path : s.paths) path.target = 0;
+  for (auto& bar : s.bars.history)
+    bar.steel.rising.count = 2, bar.steel.falling.count = 1, bar.steel.direction = -1;
   return s;
 }
 

@@ -116,6 +116,19 @@ TEST(ValidateState, refuses_unknown_targets) {
   expect_refusal([](state::State& s) { s.paths[0].target = 3; }, "a path has no such target");
 }
 
+// Requirement: a bar remembers no more branches than its history has room for, and its strain rises or falls.
+TEST(ValidateState, refuses_bars_that_remember_too_much) {
+  std::string const reason = "a bar remembers more branches than there is room for";
+  auto const with = [](auto change) {
+    return [=](state::State& s) { s.bars.history.resize(2), change(s.bars.history[1].steel); };
+  };
+  EXPECT_EQ(refusal(with([](laws::SteelHistory& h) { h.rising.count = laws::BranchList::capacity; })), "");
+  expect_refusal(with([](laws::SteelHistory& h) { h.rising.count = laws::BranchList::capacity + 1; }),
+                 reason);
+  expect_refusal(with([](laws::SteelHistory& h) { h.falling.count = -1; }), reason);
+  expect_refusal(with([](laws::SteelHistory& h) { h.direction = 2; }), reason);
+}
+
 // Requirement: pairs in contact name two tets of the mesh, the lower first, and lie in order, once each.
 TEST(ValidateState, refuses_pairs_that_do_not_fit) {
   std::string const reason = "pairs of tets in contact do not fit the mesh";

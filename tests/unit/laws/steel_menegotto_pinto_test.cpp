@@ -70,6 +70,6 @@ TEST(SteelMenegottoPinto, IsotropicShift) {
   MenegottoPintoHistory h;
   go(law, h, 0.04);
   law(h, 0.0399);
-  EXPECT_NEAR(h.shift, 0.01 * (0.04 / p.eps_y() - 7), 1e-9);
+  EXPECT_NEAR(h.now.own_2, 0.01 * (0.04 / p.eps_y() - 7), 1e-9);
 }
 } // namespace
