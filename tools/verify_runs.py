@@ -226,9 +226,11 @@ class Runs:
         (folder / "made_from").write_text(key, encoding="utf-8")
 
     def cut_short(self, name, folder):
-        """The status of a run that somebody has stopped before its end; nothing for one that came there."""
-        status = json.loads((Path(folder) / "run.json").read_text(encoding="utf-8"))["status"]
-        return "" if status == ("stopped" if self.specs[name].until else "complete") else status
+        """The status of a run that somebody has stopped before its end; nothing for one that came there, or that ended by a [[stop]] of its own
+        before the time it is wanted for."""
+        summary = json.loads((Path(folder) / "run.json").read_text(encoding="utf-8"))
+        at_until = self.specs[name].until and summary["status"] == "stopped" and "--until" in summary.get("reason", "")
+        return "" if summary["status"] == "complete" or at_until else summary["status"]
 
     def echo(self, command, out):
         """The deck with every default, as this program reads it."""

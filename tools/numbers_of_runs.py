@@ -1,0 +1,86 @@
+"""What the pages say of runs beyond the rows of the verification: quantities by run and name, in the unit that the name says."""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import examples
+import verify_measures as measure
+from verify_measures import column, first
+
+# Of run.json, for any run.
+SUMMARY = {
+    "tets": lambda s: s["tets"],
+    "joints": lambda s: s["joints"],
+    "bar elements": lambda s: s["bar_elements"],
+    "bar joints": lambda s: s["bar_joints"],
+    "steps": lambda s: s["steps"],
+    "time step [us]": lambda s: 1e6 * s["dt"],
+    "end [ms]": lambda s: 1e3 * s["time"],
+    "energy residual [%]": lambda s: abs(100 * s["energy_residual"]),
+    "largest kinetic over internal [%]": lambda s: 100 * s["max_kinetic_ratio"],
+    "quiet readings [%]": lambda s: 100 * s["quasi_static_share"],
+    "forces out of balance [%]": lambda s: 100 * s["force_imbalance"],
+    "joints cracked": lambda s: s["joints_cracked"],
+    "joints broken": lambda s: s["joints_broken"],
+    "bar joints yielded": lambda s: s["bar_joints_yielded"],
+    "bars broken": lambda s: s["bars_broken"],
+    "fragments": lambda s: s["fragments"]["count"],
+    "added mass [%]": lambda s: 100 * s["added_mass"] / (s["total_mass"] - s["added_mass"]),
+}
+# Counts of what does not depend on how it cracks.
+EXACT = ("tets", "joints", "bar elements", "bar joints", "time step [us]", "bars broken")
+
+KILO, MILLI = 1e-3, 1e3
+
+
+def peak(name, factor=1.0):
+    return lambda run: factor * np.abs(column(run, name)).max()
+
+
+def last(name, factor=1.0):
+    return lambda run: factor * column(run, name)[-1]
+
+
+def when(count, name, factor=1.0, window=0.0):
+    """A reading where a count leaves zero; as a mean over `window` seconds of the loads' time."""
+    def read(run):
+        values = column(run, name)
+        if window:
+            values = measure.running_mean(measure.clock(run), values, window)
+        return factor * values[first(column(run, count) > 0)]
+    return read
+
+
+def demo_quantities():
+    shock = measure.SHOCK
+    yield "load at the first crack [kN]", when("joints_cracked", "load", KILO)
+    yield "deflection at the first crack [mm]", when("joints_cracked", "deflection", MILLI)
+    yield "load at first yield [kN]", when("bar_joints_yielded", "load", KILO, shock)
+    yield "deflection at first yield [mm]", when("bar_joints_yielded", "deflection", MILLI)
+    yield "largest load [kN]", lambda run: measure.demo(run)["maximum"]
+    yield "deflection at the largest load [mm]", lambda run: measure.demo(run)["maximum_deflection"]
+    yield "deflection at the end [mm]", last("deflection", MILLI)
+    yield "stress of the bars at the end [MPa]", last("steel_stress", 1e-6)
+    yield "largest stress of the bars [MPa]", peak("steel_stress", 1e-6)
+    yield "crack width at first yield [mm]", when("bar_joints_yielded", "crack_width", MILLI)
+    yield "crack width at the end [mm]", last("crack_width", MILLI)
+    yield "pace at the end", last("pace")
+    yield "load without mass damping [kN]", peak("load", KILO)
+
+
+FAMILIES = {"demo": demo_quantities}
+
+
+def of_run(name):
+    """{quantity: function of the run} of a run of verify_runs.py."""
+    return dict(FAMILIES[name]()) if name in FAMILIES else {}
+
+
+def scatter_of(run, what):
+    """By what share of itself a number may differ from one instruction set to the other: cracking is sensitive to the last digit. The
+    examples' own tolerances (examples.py) say how much; what no crack changes is exact."""
+    if what in EXACT:
+        return 0.0
+    return next((e.tolerance for e in examples.EXAMPLE.values() if e.run == run), 0.02)
