@@ -15,7 +15,8 @@ verification (verify_checks.py), as in <!--four_point: load at first yield [kN]-
 with what the program says now if `<!--output of: check examples/...-->` stands before it.
 
 In the pages of COMPLETE every number is accounted for: it is marked so, or stands in a deck beside the page, or in a
-comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run.
+comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" is a bound: true
+as long as the run stays below it.
 """
 import argparse
 import re
@@ -63,6 +64,9 @@ def rounded(value, text):
     return f"{value:{sign}{',' if ',' in text or abs(value) >= 1e4 else ''}.{digits}f}"
 
 
+AT_MOST = " (at most)"
+
+
 def is_true(value, text, scatter):
     """Whether the text is the value, rounded; `scatter`: by what share of itself it may differ between machines."""
     printed = float(text.replace(",", ""))
@@ -77,9 +81,11 @@ class Source:
     def __init__(self, runs):
         self.runs = runs
         self.rows = {(c.case, c.quantity): c for c in verify_checks.all_checks()}
+        self.rows |= {(c.case, c.quantity): c for c in numbers.of_rows(list(self.rows.values()))}
 
     def needs(self, of, what):
         """Names of the runs that a number is read from."""
+        what = what.removesuffix(AT_MOST)
         if (of, what) in self.rows:
             return self.rows[of, what].runs
         if of in self.runs.specs and (what in numbers.SUMMARY or what in numbers.of_run(of)):
@@ -87,12 +93,18 @@ class Source:
         raise Untrue(f"`{of}: {what}` names no quantity of a run and no row of the verification")
 
     def value(self, of, what):
+        what = what.removesuffix(AT_MOST)
         runs = [self.runs.get(name) for name in self.needs(of, what)]
         if (of, what) in self.rows:
             return float(self.rows[of, what].measure(*runs))
         if what in numbers.SUMMARY:
             return float(numbers.SUMMARY[what](runs[0].summary))
         return float(numbers.of_run(of)[what](runs[0]))
+
+    def is_true(self, value, of, what, text):
+        if what.endswith(AT_MOST):
+            return value <= float(text.replace(",", ""))
+        return is_true(value, text, self.scatter(of, what))
 
     def scatter(self, of, what):
         return max(numbers.scatter_of(name, what) for name in self.needs(of, what))
@@ -139,7 +151,7 @@ def compare_output(path, program, write):
 def prose(text):
     """The page without what is no prose: code, links' targets, comments, marked numbers."""
     text = MARK.sub(" ", text)
-    for pattern in (r"```.*?```", r"<!--.*?-->", r"`[^`\n]*`", r"\]\([^)]*\)", r"https?://\S+"):
+    for pattern in (r"```.*?```", r"<!--.*?-->", r"`[^`\n]*`", r"\]\([^)]*\)", r"https?://\S+", r"[Ee]xample \d+"):
         text = re.sub(pattern, lambda m: "\n" * m[0].count("\n"), text, flags=re.S)
     return text
 
@@ -171,7 +183,7 @@ def write_numbers(path, values):
     """Puts the values of all marks of a page that have one: {(run, quantity): value}."""
     text = path.read_text(encoding="utf-8")
     for _, of, what, printed, (begin, end) in reversed(list(marked(path))):
-        if (of, what) in values:
+        if (of, what) in values and not what.endswith(AT_MOST):
             text = text[:begin] + rounded(values[of, what], printed) + text[end:]
     path.write_text(text, encoding="utf-8")
 
@@ -196,7 +208,7 @@ def check(arguments, runs):
     for path, place, of, what, text in marks:
         try:
             values[of, what] = value = source.value(of, what)
-            if not arguments.write and not is_true(value, text, source.scatter(of, what)):
+            if not (arguments.write and not what.endswith(AT_MOST)) and not source.is_true(value, of, what, text):
                 wrong.append(f"{place}: {of}: {what} is {value:.6g}, the page says {text}")
         except (RunFailed, BadFile, OSError) as error:
             wrong.append(f"{place}: {error}")

@@ -6,6 +6,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import examples
+import verify_checks
 import verify_measures as measure
 from verify_measures import column, first
 
@@ -26,6 +27,7 @@ SUMMARY = {
     "joints broken": lambda s: s["joints_broken"],
     "bar joints yielded": lambda s: s["bar_joints_yielded"],
     "bars broken": lambda s: s["bars_broken"],
+    "vibration [ms]": lambda s: 1e3 * s["vibration_period"],
     "fragments": lambda s: s["fragments"]["count"],
     "added mass [%]": lambda s: 100 * s["added_mass"] / (s["total_mass"] - s["added_mass"]),
 }
@@ -54,23 +56,38 @@ def when(count, name, factor=1.0, window=0.0):
 
 
 def demo_quantities():
-    shock = measure.SHOCK
-    yield "load at the first crack [kN]", when("joints_cracked", "load", KILO)
-    yield "deflection at the first crack [mm]", when("joints_cracked", "deflection", MILLI)
-    yield "load at first yield [kN]", when("bar_joints_yielded", "load", KILO, shock)
-    yield "deflection at first yield [mm]", when("bar_joints_yielded", "deflection", MILLI)
-    yield "largest load [kN]", lambda run: measure.demo(run)["maximum"]
-    yield "deflection at the largest load [mm]", lambda run: measure.demo(run)["maximum_deflection"]
-    yield "deflection at the end [mm]", last("deflection", MILLI)
-    yield "stress of the bars at the end [MPa]", last("steel_stress", 1e-6)
+    for key, text in (("cracking", "load at the first crack [kN]"), ("yield", "load at first yield [kN]"), ("maximum", "largest load [kN]"),
+                      ("cracking_deflection", "deflection at the first crack [mm]"), ("yield_deflection", "deflection at first yield [mm]"),
+                      ("maximum_deflection", "deflection at the largest load [mm]")):
+        yield text, lambda run, key=key: measure.demo(run)[key]
+    for key, text in (("cracking", "first crack by hand [kN]"), ("yield", "yield by hand [kN]"), ("strength", "strength by hand [kN]"), ("arm", "arm at yield [mm]")):
+        yield text, lambda run, key=key: measure.demo_by_hand()[key]
+    yield "arm at yield over depth", lambda run: measure.demo_by_hand()["arm"] / (1e3 * measure.DEMO_D)
+    yield "first crack over that by hand [%]", lambda run: 100 * (measure.demo(run)["cracking"] / measure.demo_by_hand()["cracking"] - 1)
+    yield "yield over that by hand [%]", lambda run: 100 * (measure.demo(run)["yield"] / measure.demo_by_hand()["yield"] - 1)
+    yield "strength over that by hand [%]", lambda run: 100 * (measure.demo(run)["maximum"] / measure.demo_by_hand()["strength"] - 1)
+    yield "largest single reading [kN]", peak("load", KILO)
     yield "largest stress of the bars [MPa]", peak("steel_stress", 1e-6)
     yield "crack width at first yield [mm]", when("bar_joints_yielded", "crack_width", MILLI)
-    yield "crack width at the end [mm]", last("crack_width", MILLI)
-    yield "pace at the end", last("pace")
-    yield "load without mass damping [kN]", peak("load", KILO)
+    yield "crack width at the largest load [mm]", lambda run: MILLI * np.interp(measure.demo(run)["maximum_deflection"], MILLI * column(run, "deflection"), column(run, "crack_width"))
+    yield "largest pace", peak("pace")
 
 
 FAMILIES = {"demo": demo_quantities}
+
+
+def of_rows(rows):
+    """Further rows, over those of the verification: extremes that a page tells in one number."""
+    def over(case, quantity, chosen, extreme):
+        runs = list(dict.fromkeys(name for c in chosen for name in c.runs))
+        place = {name: i for i, name in enumerate(runs)}
+        return verify_checks.Check(case, quantity, float("nan"), verify_checks.INFORMATION,
+                                   lambda *r: extreme(c.measure(*(r[place[name]] for name in c.runs)) for c in chosen), tuple(runs))
+    residuals = [c for c in rows if "energy residual" in c.quantity]
+    peaks = [c for c in rows if c.case == "cyclic_tie" and c.quantity.startswith("force at") and "fine over coarse" in c.quantity]
+    yield over("all", "largest energy residual [%]", residuals, max)
+    yield over("peaks", "least of the fine mesh over the coarse", peaks, min)
+    yield over("peaks", "largest of the fine mesh over the coarse", peaks, max)
 
 
 def of_run(name):
