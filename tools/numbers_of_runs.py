@@ -73,7 +73,22 @@ def demo_quantities():
     yield "largest pace", peak("pace")
 
 
-FAMILIES = {"demo": demo_quantities}
+def tie_quantities():
+    for i, level in enumerate(measure.TIE_LEVELS):
+        yield f"force at {100 * level:g} % [kN]", lambda run, i=i: measure.tie_peaks(run)[i]
+
+
+def four_point_quantities(window=measure.SHOCK):
+    for key, text in (("yield", "load at first yield [kN]"), ("failure", "failure load [kN]")):
+        yield text, lambda run, key=key: measure.four_point(run, window)[key]
+
+
+def slow_quantities():
+    return four_point_quantities(5 * measure.SHOCK)
+
+
+FAMILIES = {"demo": demo_quantities, "cyclic_tie_coarse": tie_quantities, "cyclic_tie_fine": tie_quantities, "cyclic_tie_coarse_mp": tie_quantities,
+            "four_point_steady": four_point_quantities, "four_point_slow": slow_quantities}
 
 
 def of_rows(rows):
