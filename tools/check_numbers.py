@@ -32,7 +32,9 @@ from verify_runs import ROOT, RunFailed, Runs
 
 PAGES = ("README.md", "docs/tutorials/*.md", "docs/theory/*.md", "docs/performance.md", "examples/*/README.md")
 # Pages in which every number is accounted for.
-COMPLETE = ("README.md", "docs/tutorials/first_beam.md", "examples/00_demo_beam/README.md")
+COMPLETE = ("README.md", *(f"docs/tutorials/{page}.md" for page in ("first_beam", "mesh", "python")),
+            *(f"examples/{name}/README.md" for name in ("00_demo_beam", "01_tension_prism", "02_self_weight_beam", "03_elastic_tie", "04_tie_to_failure",
+                                                        "07_compression_prism", "12_notched_beam", "16_colliding_blocks")))
 MARK = re.compile(r"<!--(?P<of>\w+): (?P<what>[^>]*?)-->(?P<text>[^<]*)<!--/-->")
 OUTPUT = re.compile(r"<!--output of: (?P<words>[^>]*?)-->\n+```\w*\n(?P<text>.*?)```", re.S)
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:e[-+]?\d+)?")

@@ -31,6 +31,9 @@ SUMMARY = {
     "fragments": lambda s: s["fragments"]["count"],
     "added mass [%]": lambda s: 100 * s["added_mass"] / (s["total_mass"] - s["added_mass"]),
 }
+for _account in ("kinetic", "friction", "contact_friction", "fracture_I", "bond_steel", "mass_damping"):
+    SUMMARY[f"energy {_account} [J]"] = lambda s, a=_account: s["energy"][a]
+    SUMMARY[f"energy {_account} [kJ]"] = lambda s, a=_account: 1e-3 * s["energy"][a]
 # Counts of what does not depend on how it cracks.
 EXACT = ("tets", "joints", "bar elements", "bar joints", "time step [us]", "bars broken")
 
@@ -87,7 +90,36 @@ def slow_quantities():
     return four_point_quantities(5 * measure.SHOCK)
 
 
-FAMILIES = {"demo": demo_quantities, "cyclic_tie_coarse": tie_quantities, "cyclic_tie_fine": tie_quantities, "cyclic_tie_coarse_mp": tie_quantities,
+def largest_mean(name, window):
+    return lambda run: KILO * np.abs(measure.running_mean(column(run, "time"), column(run, name), window)).max()
+
+
+def drop_quantities():
+    yield "largest mean over 1 ms [kN]", largest_mean("impact_force", 1e-3)
+    yield "time of the largest deflection [ms]", lambda run: MILLI * column(run, "time")[np.argmax(column(run, "deflection"))]
+    yield "time of first yield [ms]", when("bar_joints_yielded", "time", MILLI)
+    yield "error of the impulse balance", lambda run: abs(measure.drop_weight(run)["balance"]) / 100
+    yield "error of the force's integral", lambda run: abs(measure.drop_weight(run)["curve"]) / 100
+
+
+def floor_force(run):
+    """Of the dropped block, from its impulse: vertical, as means over each row of the history [kN]."""
+    return KILO * np.gradient(column(run, "impulse"), column(run, "time"))
+
+
+def block_quantities():
+    yield "largest force of the floor [kN]", lambda run: np.abs(floor_force(run)).max()
+    yield "largest mean over 1 ms [kN]", lambda run: np.abs(measure.running_mean(column(run, "time"), floor_force(run), 1e-3)).max()
+
+
+def column_quantities():
+    for turn in range(1, 9):
+        yield f"shear at turn {turn} [kN]", lambda run, turn=turn: abs(measure.column_cycles(run)[turn - 1][1])
+    for key, text in (("axial_low", "least axial load [kN]"), ("axial_high", "largest axial load [kN]")):
+        yield text, lambda run, key=key: KILO * measure.COLUMN_AXIAL * measure.cyclic_column(run)[key]
+
+
+FAMILIES = {"drop_weight": drop_quantities, "dropped_block": block_quantities, "cyclic_column": column_quantities, "demo": demo_quantities, "cyclic_tie_coarse": tie_quantities, "cyclic_tie_fine": tie_quantities, "cyclic_tie_coarse_mp": tie_quantities,
             "four_point_steady": four_point_quantities, "four_point_slow": slow_quantities}
 
 
@@ -100,6 +132,10 @@ def of_rows(rows):
                                    lambda *r: extreme(c.measure(*(r[place[name]] for name in c.runs)) for c in chosen), tuple(runs))
     residuals = [c for c in rows if "energy residual" in c.quantity]
     peaks = [c for c in rows if c.case == "cyclic_tie" and c.quantity.startswith("force at") and "fine over coarse" in c.quantity]
+    works = {c.runs[0]: c for c in rows if c.case == "notched_beam" and c.quantity.startswith("work of the jack")}
+    pair = works["notched_beam"], works["notched_beam_unstructured"]
+    yield verify_checks.Check("notched_beam", "work of the unstructured mesh over that of cells of 10 mm [%]", float("nan"), verify_checks.INFORMATION,
+                              lambda a, b: 100 * (pair[1].measure(b) / pair[0].measure(a) - 1), ("notched_beam", "notched_beam_unstructured"))
     yield over("all", "largest energy residual [%]", residuals, max)
     yield over("peaks", "least of the fine mesh over the coarse", peaks, min)
     yield over("peaks", "largest of the fine mesh over the coarse", peaks, max)
