@@ -101,10 +101,10 @@ TEST(CheckpointFile, of_another_version_is_refused) {
     std::memcpy(bytes.data() + 16, &version, sizeof version);
     return refusal([&] { contents_of(bytes, "b"); });
   };
-  static_assert(format_version == 3);
-  EXPECT_TRUE(holds(refused_as(4), "has the format 4, this program reads up to 3")) << refused_as(4);
+  static_assert(format_version == 4);
+  EXPECT_TRUE(holds(refused_as(5), "has the format 5, this program reads up to 4")) << refused_as(5);
   EXPECT_TRUE(holds(refused_as(0), "has been altered: there is no format 0")) << refused_as(0);
-  EXPECT_TRUE(holds(refused_as(2), "has the format 2, this program reads 3")) << refused_as(2);
+  EXPECT_TRUE(holds(refused_as(3), "has the format 3, this program reads 4")) << refused_as(3);
 }
 
 // Requirement: other files are told from checkpoints, and what is no file or is missing is named.
