@@ -16,12 +16,12 @@ PROGRAM_PACKAGES := g++ cmake ninja-build pkg-config libtomlplusplus-dev libudun
   python3-numpy python3-matplotlib
 # The report page is bundled with npm; a node that came from elsewhere is as good.
 PAGE_PACKAGES    := $(if $(shell command -v npm),,nodejs npm)
-# chromium: the tests open the report page; skipped where there is none.
+FORMAT_PACKAGES  := clang-format
+# chromium: the tests open the report page; skipped where there is none, as is the check of the format without clang-format.
 TEST_PACKAGES    := $(PROGRAM_PACKAGES) $(PAGE_PACKAGES) libgtest-dev libbenchmark-dev pybind11-dev python3-dev mkdocs chromium \
-  python3-vtk9 python3-meshio
+  python3-vtk9 python3-meshio $(FORMAT_PACKAGES)
 DOCS_PACKAGES    := mkdocs
 PYTHON_PACKAGES  := $(PROGRAM_PACKAGES) pybind11-dev python3-dev python3-venv
-FORMAT_PACKAGES  := clang-format
 FUZZ_PACKAGES    := $(TEST_PACKAGES) clang
 COVERAGE_PACKAGES := $(TEST_PACKAGES) clang llvm
 FUZZ_SECONDS     ?= 60
@@ -35,7 +35,7 @@ if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update 
 endef
 
 .PHONY: help setup setup-program setup-demo setup-tests setup-docs setup-python setup-format setup-fuzz setup-coverage build build-all \
-  demo test verify properties validate figures pictures bench docs python fuzz sanitize coverage format install clean
+  demo test verify properties validate figures numbers pictures bench docs python fuzz sanitize coverage format install clean
 
 help:
 	@echo "make demo      install what is missing, build, run a small beam to failure: report, curve, crack picture"
@@ -44,6 +44,7 @@ help:
 	@echo "make verify    run the verification cases: $(BUILD)/verification.csv"
 	@echo "make validate  run the long cases"
 	@echo "make figures   draw the paper's figures from runs    make pictures  draw the crack pictures"
+	@echo "make numbers   write the numbers that the pages tell of runs anew (LONG=--long: those of long runs too)"
 	@echo "make python    build the Python module: $(BUILD)/python"
 	@echo "make properties | fuzz | sanitize | coverage    the long checks, see docs/reference/promises.md"
 	@echo "make bench | docs | format | install [PREFIX=...] | clean"
@@ -86,6 +87,7 @@ test: build-all
 
 verify: build
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/verification.csv --jobs $(JOBS)
+	$(PYTHON) tools/check_numbers.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS)
 
 # The property tests with as many random cases, and the free vibration with as many steps, as was promised: a quarter
 # of an hour of one core.
@@ -103,6 +105,7 @@ validate: build python properties
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --long
 	$(PYTHON) tools/verify.py --program $(PROGRAM) --runs $(BUILD)/verify --out $(BUILD)/validation.csv --jobs $(JOBS) --long \
 	  --page docs/verification/index.md
+	$(PYTHON) tools/check_numbers.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --long
 	PYTHONPATH=$(BUILD)/python $(PYTHON) tools/validate_python.py --program $(PROGRAM) --runs $(BUILD)/verify
 	$(PYTHON) tools/check_commands.py $(PROGRAM) --decks
 
@@ -111,6 +114,10 @@ figures: build
 	$(PYTHON) tools/figures.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS)
 	cmake --build $(BUILD) --target law_curves
 	$(PYTHON) tools/law_figures.py $(BUILD)/law_curves
+
+# The numbers that the pages tell of runs, written anew: those of the short runs, with LONG=--long of all.
+numbers: build
+	$(PYTHON) tools/check_numbers.py --program $(PROGRAM) --runs $(BUILD)/verify --jobs $(JOBS) --write $(LONG)
 
 # Every run folder under runs/ that holds fields gets its crack picture.
 pictures: build

@@ -126,6 +126,15 @@ class Cache(Folder):
         with self.assertRaisesRegex(verify_runs.RunFailed, "prism_A: the run is stopped"):
             runs.get("prism_A")
 
+    def test_a_run_that_is_wanted_until_a_time_may_end_before_it(self):
+        """A run with `until` counts whether it was stopped at that time or came to an end of its own before; stopped otherwise it does not."""
+        name = next(n for n, s in verify_runs.all_runs().items() if s.until)
+        for status, reason, good in (("complete", "stop of `load`", True), ("stopped", "time of --until reached", True), ("stopped", "signal 15", False)):
+            self.program.write_text(PROGRAM.replace('"status": "complete"', f'"status": "{status}", "reason": "{reason}"'))
+            runs = self.runs()
+            runs.make([name])
+            self.assertEqual(runs.is_cached(name), good, (status, reason))
+
     def test_a_finished_run_of_the_same_deck_is_adopted_and_no_other(self):
         self.runs().make(["prism_A", "prism_B"])
         runs = self.runs()

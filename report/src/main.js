@@ -8,6 +8,13 @@ import { showComparison } from "./compare.js";
 const page = document.getElementById("page");
 const state = (window.fissura = { errors: [], ready: false });
 
+/** When all that was asked for is on the page: curves are drawn in the next frame, the view in one after a change of size. */
+state.settled = async () => {
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  for (let i = 0; i < 3; ++i) await frame();
+  while (state.view && state.view.asked !== state.view.drawn) await frame();
+};
+
 function complain(text) {
   state.errors.push(text);
   document.querySelector(".loading")?.remove();

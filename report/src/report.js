@@ -1,7 +1,7 @@
 // The report of one run.
 import { Curves } from "./data.js";
 import { element, section, select } from "./dom.js";
-import { events, kineticRatio, loudSpans, mainPair, reversals, rowAt } from "./events.js";
+import { events, kineticRatio, loudSpans, mainPair, NEAR, reversals, rowAt, timeOfPeak } from "./events.js";
 import { digits, duration, largestOf, percent, quantity, shown, shownUnit, whole } from "./format.js";
 import { keys, LINES, markKeys, overTime, scatter } from "./plots.js";
 import { showScene } from "./scene.js";
@@ -20,7 +20,8 @@ export function showReport(page, numbers, state) {
   page.append(heading(meta, curves));
   if (curves.rows > 1) page.append(figures(meta, curves));
   page.append(verdicts(meta, curves));
-  showScene(page, numbers, moment, state);
+  state.peak = timeOfPeak(curves, meta);
+  showScene(page, numbers, moment, state, state.peak);
   if (curves.rows > 1) {
     page.append(loadSection(meta, curves, moment));
     page.append(energySection(meta, curves, moment));
@@ -94,21 +95,32 @@ function quasiStatic(meta, curves) {
   const untilPeak = counted.length ? counted.filter((r) => r < 0.05).length / counted.length : null;
   const { run } = meta;
   const share = run?.quasi_static_share, balance = run?.force_imbalance;
-  const quiet = run ? share > 0.9 && balance < 0.05 : untilPeak > 0.9;
+  const balanced = !run || balance < BALANCE;
+  const quiet = run ? run.quasi_static ?? (share > 0.9 && balanced) : untilPeak > 0.9;
+  const loud = () => loudMoments(curves, ratio, marks, peak, { untilPeak, balance, balanced });
   const numbers = [];
-  if (run) numbers.push(`Kinetic over internal energy is below 5\u202f% in ${percent(share)} of the readings (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}.`);
+  if (run) numbers.push(`Kinetic over internal energy is below 5\u202f% in ${percent(share)} of the time (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}${run.vibration_period > 0 ? ` (means over ${quantity(run.vibration_period, "s", 2)}, a vibration of the body)` : ""}.`);
   if (untilPeak !== null) numbers.push(`Up to the peak: ${percent(untilPeak, 3)} of the readings.`);
   if (quiet) return verdict("good", "Quasi-static", numbers.join(" "));
   if (meta.deck.dynamic) return verdict("plain", "Dynamic", `Inertia takes part, as the case asks for. ${numbers[0] ?? ""}`);
-  if (untilPeak > 0.9)
-    return verdict("good", "Quasi-static up to the peak", `${numbers.join(" ")} What follows the peak is dynamic, as a failure is.`, ...loudMoments(curves, ratio, marks, peak));
-  return verdict("look", "Inertia matters", `${numbers.join(" ")} If the test is a slow one: load more slowly, or raise mass_damping.`, ...loudMoments(curves, ratio, marks, peak));
+  if (untilPeak > 0.9 && balanced)
+    return verdict("good", "Quasi-static up to the peak", `${numbers.join(" ")} What follows the peak is dynamic, as a failure is.`, ...loud());
+  return verdict("look", "Inertia matters", `${numbers.join(" ")} If the test is a slow one: load more slowly, or raise mass_damping.`, ...loud());
 }
 
-const SPANS = 3;
+const SPANS = 3, BALANCE = 0.05; // BALANCE: as sim/inertia.hpp
+
+/** Which marks of the curve are as in a slow test, in words. None is where most readings are not quiet, so that a mark between them is there
+ * by chance, or where the forces are out of balance. */
+function quietMarks(marks, spans, { untilPeak, balance, balanced }) {
+  if (!balanced) return `Forces are out of balance by ${percent(balance)}: no mark of the curve can be taken for that of a slow test.`;
+  if (!(untilPeak > 0.5)) return `Only ${percent(untilPeak ?? 0, 3)} of the readings up to the peak are quiet: no mark of the curve can be taken for that of a slow test.`;
+  const outside = marks.filter((e) => !spans.some((s) => e.row >= s.from - NEAR && e.row <= s.to + NEAR)).map((e) => e.text);
+  return outside.length ? `Read where it is quiet: ${outside.join(", ")}.` : "None of the marks of the curve is read where it is quiet.";
+}
 
 /** When, up to the peak, inertia takes part, what happens then, and which marks of the curve lie outside and so are as in a slow test. */
-function loudMoments(curves, ratio, marks, peak) {
+function loudMoments(curves, ratio, marks, peak, judged) {
   if (!ratio || peak < 0) return [];
   const spans = loudSpans(ratio, peak), shown = spans.slice(0, SPANS).sort((a, b) => a.from - b.from);
   if (!shown.length) return [element("p", "Up to the peak there is no such reading: it is what follows.")];
@@ -120,10 +132,7 @@ function loudMoments(curves, ratio, marks, peak) {
     return `${between}: up to ${percent(largest)}${joints > 0 ? `, while ${whole(joints)} ${joints === 1 ? "joint cracks" : "joints crack"}` : ""}`;
   });
   if (spans.length > shown.length) lines.push(`${whole(spans.length - shown.length)} shorter ${spans.length - shown.length === 1 ? "one" : "ones"}`);
-  const within = (e) => spans.some((s) => e.row >= s.from && e.row <= s.to);
-  const outside = marks.filter((e) => !within(e)).map((e) => e.text);
-  return [element("p", "5\u202f% and more up to the peak:"), element("ul", lines.map((l) => element("li", l))),
-    element("p", outside.length ? `Read where it is quiet: ${outside.join(", ")}.` : "None of the marks of the curve is read where it is quiet.")];
+  return [element("p", "5\u202f% and more up to the peak:"), element("ul", lines.map((l) => element("li", l))), element("p", quietMarks(marks, spans, judged))];
 }
 
 function meshVerdict(meta) {
@@ -132,13 +141,19 @@ function meshVerdict(meta) {
   return verdict("look", said.length === 1 ? "1 warning" : `${said.length} warnings`, "What the check of mesh, bars and loads says:", element("ul", said.map((w) => element("li", w))));
 }
 
+/** What the curve is. Only a load that goes to and fro on purpose has a hysteresis: an impact swings by itself. */
+function curveTitle(deck, choice, curves) {
+  if (choice.x === "time") return "Readings";
+  if (deck.cyclic && reversals(curves.values(choice.x)).length >= 2) return "Hysteresis";
+  return deck.dynamic ? "Force and displacement" : "Load and displacement";
+}
+
 const COUNTS = /^(joints_|bar_joints_|bars_broken|fragments)/;
 
 function loadSection(meta, curves, moment) {
   const gauges = curves.columns.filter((c) => !c.name.startsWith("energy_") && !COUNTS.test(c.name));
   const choice = mainPair(curves, meta.deck.gauges);
-  const cyclic = reversals(curves.values(choice.x)).length >= 3 && choice.x !== "time";
-  const box = section("load", cyclic ? "Hysteresis" : choice.x === "time" ? "Readings" : "Load and displacement", null);
+  const box = section("load", curveTitle(meta.deck, choice, curves), null);
   const place = element("div.pair");
   const options = gauges.map((c) => [c.name, c.name.replaceAll("_", " ")]);
   const controls = element("div.controls",

@@ -2,9 +2,11 @@
 import { element, section, select, slider } from "./dom.js";
 import { barColour, crackColour, gradient, MODES } from "./colours.js";
 import { digits, quantity } from "./format.js";
+import { rowAt } from "./events.js";
 import { View } from "./view3d.js";
 
-export function showScene(page, numbers, moment, state) {
+/** `peak`: when the load is largest [s]; null where that is unknown. */
+export function showScene(page, numbers, moment, state, peak = null) {
   const { meta } = numbers;
   const box = section("scene", meta.scene?.bars?.stress ? "Cracks and bars" : "Cracks", null);
   page.append(box);
@@ -17,7 +19,7 @@ export function showScene(page, numbers, moment, state) {
   stage.style.height = `${stageHeight(meta.scene.body, stage.clientWidth)}px`;
   let view;
   try {
-    view = new View(stage, numbers);
+    view = new View(stage, numbers, peak === null ? numbers.meta.frames.length - 1 : rowAt(numbers.meta.frames, peak));
   } catch (error) {
     stage.replaceWith(element("p.note", `The 3-D view needs WebGL, which this browser does not offer (${error.message}).`));
     return;
@@ -29,7 +31,7 @@ export function showScene(page, numbers, moment, state) {
 
   const { natural } = view;
   view.options.scale = natural;
-  const last = view.times.length - 1;
+  const last = view.times.length - 1, first = view.lastInView(); // the moment that is shown first
   const pieces = view.body.fragment?.some((f) => f > 0);
 
   // A body in many pieces is read by its pieces; else the cracks inside it matter.
@@ -46,7 +48,7 @@ export function showScene(page, numbers, moment, state) {
     moment.set(view.times[view.frame]);
   };
 
-  const time = slider("time", { min: 0, max: last, step: 1, value: last }, (f) => quantity(view.times[f], "s", 3), (f) => (stop(), show(f)));
+  const time = slider("time", { min: 0, max: last, step: 1, value: first }, (f) => quantity(view.times[f], "s", 3), (f) => (stop(), show(f)));
   let timer = null;
   const play = element("button", { type: "button", title: "play the saved moments" }, "▶");
   const stop = () => {
@@ -95,8 +97,7 @@ export function showScene(page, numbers, moment, state) {
       element("span.views", look("oblique"), look("front"), look("side"), look("top"), save)));
   const left = meta.frames_saved - meta.frames.length;
   box.append(element("p.note", `Drag to turn, wheel to zoom, right button to move. Cracks: joints with damage of 0.2 or more, midway between their faces.${left > 0 ? ` ${meta.frames.length} of ${meta.frames_saved} saved moments are in this page, to keep it small.` : ""}`));
-  view.show(last);
-  refresh();
+  show(first);
 }
 
 /** Height of the view [px]: a slender body leaves no empty room above and below it. */

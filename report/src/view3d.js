@@ -72,8 +72,9 @@ function featureEdges(points, triangles, count) {
 }
 
 export class View {
-  /** `box`: the element that holds the canvas. Throws where the browser has no WebGL. */
-  constructor(box, numbers) {
+  /** `box`: the element that holds the canvas; `natural`: the frame whose movement gives the factor of deformation.
+   * Throws where the browser has no WebGL. */
+  constructor(box, numbers, natural) {
     this.box = box;
     this.numbers = numbers;
     this.meta = numbers.meta.scene;
@@ -93,7 +94,7 @@ export class View {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener("change", () => this.draw());
     this.measure();
-    this.natural = this.naturalScale();
+    this.natural = this.naturalScale(natural);
     this.makeBody();
     this.makeCracks();
     this.makeBars();
@@ -120,19 +121,37 @@ export class View {
     return out;
   }
 
-  /** The next lower 1, 2 or 5 times a power of ten that shows the movement of the frame as 5 % of the body, and pieces in
-   * flight within a quarter of it. */
-  naturalScale(frame = this.frame) {
+  /** Sizes of the displacements of a frame [m], ascending. */
+  movements(frame) {
     const u = this.displacement("body", frame);
-    const sizes = [];
-    for (let i = 0; i < u.length; i += 3) sizes.push(Math.hypot(u[i], u[i + 1], u[i + 2]));
-    sizes.sort((a, b) => a - b);
+    const sizes = new Float32Array(u.length / 3);
+    for (let i = 0; i < sizes.length; ++i) sizes[i] = Math.hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]);
+    return sizes.sort();
+  }
+
+  get length() {
+    return Math.max(this.extent.x, this.extent.y, this.extent.z);
+  }
+
+  /** The next lower 1, 2 or 5 times a power of ten that shows the movement of a frame as 5 % of the body, and pieces in flight within
+   * a quarter of it. A frame before anything moves says nothing: then the first later one that does. */
+  naturalScale(frame) {
+    let sizes = this.movements(frame);
+    while (!(sizes.at(-1) > 0) && frame < this.times.length - 1) sizes = this.movements(++frame);
     const usual = sizes[Math.floor(0.99 * (sizes.length - 1))] ?? 0, largest = sizes.at(-1);
-    const length = Math.max(this.extent.x, this.extent.y, this.extent.z);
-    const wanted = usual > 0 ? Math.min((0.05 * length) / usual, (0.25 * length) / largest) : 1;
+    const wanted = usual > 0 ? Math.min((0.05 * this.length) / usual, (0.25 * this.length) / largest) : 1;
     if (!(wanted > 1)) return 1;
     const power = 10 ** Math.floor(Math.log10(wanted));
     return Math.max(...[1, 2, 5].map((m) => m * power).filter((v) => v <= wanted));
+  }
+
+  /** The last frame that the natural factor shows as a body: after a collapse it would scatter it over the view. */
+  lastInView() {
+    for (let frame = this.times.length - 1; frame > 0 && this.natural > 1; --frame) {
+      const sizes = this.movements(frame);
+      if (sizes[Math.floor(0.99 * (sizes.length - 1))] * this.natural <= 0.3 * this.length) return frame;
+    }
+    return this.times.length - 1;
   }
 
   makeBody() {
@@ -397,12 +416,15 @@ export class View {
     this.draw();
   }
 
+  /** Draws soon. `asked` and `drawn` count: the picture is up to date where they agree. */
   draw() {
+    this.asked = (this.asked ?? 0) + 1;
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
       this.renderer.render(this.scene, this.camera);
+      this.drawn = this.asked;
     });
   }
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = str(Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else str(ROOT / "build/fissura")
-DECK = ROOT / "examples/00_demo_beam/case.toml"
+DECK = ROOT / "tests/look/beam/case.toml"
 # A beam of few elements, until its first cracks: seconds become tenths of one.
 SMALL = ["--set", "mesh.box.0.cells=[16,2,3]", "--threads", "1", "--quiet"]
 PNG = b"\x89PNG\r\n\x1a\n"

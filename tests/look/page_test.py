@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 """The report page in a real browser: no errors in the console, nothing asked from a network, every plot drawn, the 3-D
-view not empty, open within five seconds, and the same for a run in progress and for a comparison.
+view not empty, open within five seconds of work, and the same for a run in progress and for a comparison.
 
     page_test.py build/fissura [--shots FOLDER]
 
 Exit code 77 (skipped) without Chromium or where the program was built without the page.
 """
 import argparse
+import json
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 from pathlib import Path
 
@@ -19,7 +19,8 @@ sys.path[:0] = [str(ROOT / "tools"), str(Path(__file__).resolve().parent)]
 from browser import Browser, BrowserFailed, find_browser
 from small_run import put_markup
 
-DECK = ROOT / "examples/00_demo_beam/case.toml"
+DECK = ROOT / "tests/look/beam/case.toml"
+IMPACT, CYCLIC = ROOT / "tests/look/impact.toml", ROOT / "tests/look/cyclic.toml"
 READY = "window.fissura?.ready || window.fissura?.errors.length"
 PLOTS = ("plot-load", "plot-history", "plot-counts", "plot-energy", "plot-kinetic", "plot-bar-stress", "plot-bar-slip")
 # Different colours among the pixels of a canvas; a canvas that nothing was drawn on has one.
@@ -55,12 +56,16 @@ class Page(unittest.TestCase):
 
     def shot(self, name):
         if self.shots:
-            time.sleep(0.5)
+            self.settle()
             self.browser.screenshot(Path(self.shots) / f"{name}.png", full=True)
+
+    def settle(self):
+        """Waits until the page has drawn all that it was asked for, however long a busy machine takes for it."""
+        self.browser.evaluate("window.fissura.settled()")
 
     def fresh(self, path):
         seconds = self.browser.open(path, until=READY)
-        time.sleep(0.3) # a frame to draw
+        self.settle()
         self.assertEqual(self.browser.errors, [])
         self.assertEqual(self.browser.evaluate("window.fissura.errors"), [])
         return seconds
@@ -92,15 +97,60 @@ class Page(unittest.TestCase):
         self.assertRegex(verdict, r"5 % and more up to the peak:\s+[\d.]+ ms to [\d.]+ ms: up to \d+ %, while \d+ joints crack")
         self.assertRegex(verdict, "Read where it is quiet: .*peak")
 
-    def test_opens_in_five_seconds(self):
-        """The page is there and painted within five seconds: the best of three, since other work may go on."""
-        def painted():
-            start = time.monotonic()
-            self.browser.open(self.finished / "report.html", until=READY)
-            self.browser.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-            return time.monotonic() - start
+    def test_claims_no_quiet_mark_where_nothing_is_quiet(self):
+        """Where most readings up to the peak are loud, or forces are out of balance, no mark is called quiet."""
+        loud = self.folder / "loud"
+        subprocess.run(["cp", "-r", self.finished, loud], check=True)
+        summary = json.loads((loud / "run.json").read_text())
+        summary.update(quasi_static=False, quasi_static_share=0.137, force_imbalance=0.22)
+        (loud / "run.json").write_text(json.dumps(summary))
+        subprocess.run([self.program, "report", str(loud)], check=True, capture_output=True)
+        self.fresh(loud / "report.html")
+        verdict = self.browser.evaluate("document.querySelector('#verdicts').innerText").replace("\u202f", " ")
+        self.assertIn("Inertia matters", verdict)
+        self.assertIn("Forces are out of balance by 22 %: no mark of the curve can be taken for that of a slow test.", verdict)
+        self.assertNotIn("Read where it is quiet", verdict)
 
-        self.assertLess(min(painted() for _ in range(3)), 5)
+    def test_titles_say_what_the_curve_is(self):
+        """Only a load that goes to and fro on purpose has a hysteresis."""
+        self.fresh(self.finished / "report.html")
+        self.assertEqual(self.browser.evaluate("document.querySelector('#load h2').textContent"), "Load and displacement")
+        for deck, title in ((IMPACT, "Force and displacement"), (CYCLIC, "Hysteresis")):
+            out = self.folder / deck.stem
+            done = subprocess.run([self.program, "run", str(deck), "--quiet", "--threads", "1", "--out", str(out)], capture_output=True, text=True, timeout=200)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.fresh(out / "report.html")
+            self.assertEqual(self.browser.evaluate("document.querySelector('#load h2').textContent"), title)
+
+    def test_deformation_is_that_of_the_peak(self):
+        """The factor of deformation comes from the moment of the largest load: what moves after it does not change it, and the first picture
+        is of a body in one place."""
+        self.fresh(self.finished / "report.html")
+        factor, length = self.browser.evaluate("[window.fissura.view.natural, window.fissura.view.length]")
+        times = self.browser.evaluate("Array.from(window.fissura.view.times)")
+        load = self.browser.evaluate("window.fissura.peak")
+        frame = min(range(len(times)), key=lambda i: abs(times[i] - load))
+        moved = self.browser.evaluate(f"(() => {{ const m = window.fissura.view.movements({frame}); return m[Math.floor(0.99 * (m.length - 1))]; }})()")
+        self.assertLessEqual(factor * moved, 0.05 * length * 1.001)
+        self.assertGreater(factor * moved, 0.05 * length / 2.6)  # the next step of 1, 2, 5 would be too large
+        last = len(times) - 1
+        for natural, shown in ((100, last - 1), (1, last)):  # as if the last frame had flown ten times the body's length away
+            first = self.browser.evaluate(f"(() => {{ const v = Object.create(window.fissura.view); v.natural = {natural};"
+                                          f"v.movements = (n) => (n === {last} ? [10 * v.length] : [1e-3 * v.length]); return v.lastInView(); }})()")
+            self.assertEqual(first, shown)
+
+    def test_opens_in_five_seconds(self):
+        """The page is there and painted after at most five seconds of work of its thread; what a busy machine adds does not count."""
+        self.browser.page("Performance.enable", timeDomain="threadTicks")
+
+        def worked():
+            return next(m["value"] for m in self.browser.page("Performance.getMetrics")["metrics"] if m["name"] == "ThreadTime")
+
+        self.browser.open("about:blank")
+        before = worked()
+        self.fresh(self.finished / "report.html")
+        self.assertLess(worked() - before, 5)
+        self.assertGreater(worked(), before)
 
     def test_turns_and_plays(self):
         """Another moment, another factor and another eye each give another picture."""
@@ -118,7 +168,7 @@ class Page(unittest.TestCase):
         self.fresh(self.finished / "report.html")
         before = self.browser.evaluate("[document.querySelector('.clock').textContent, document.querySelector('#plot-bar-stress canvas').toDataURL()]")
         self.browser.evaluate("(() => { const s = document.querySelector('.time input'); s.value = 3; s.dispatchEvent(new Event('input')); })()")
-        time.sleep(0.5)
+        self.settle()
         after = self.browser.evaluate("[document.querySelector('.clock').textContent, document.querySelector('#plot-bar-stress canvas').toDataURL()]")
         self.assertNotEqual(before[0], after[0])
         self.assertNotEqual(before[1], after[1])

@@ -1,8 +1,10 @@
 #pragma once
-// What a checkpoint holds: each struct of the state is described once, and saving, loading and comparing all
-// go through that description. A field that is added to a struct and not here does not compile: the list
-// takes the struct apart into as many names as it has members.
+// What a checkpoint holds: each struct of the state is described once, and saving, loading, comparing and the
+// search for numbers that are not finite (walk.hpp) all go through that description. A field that is added to
+// a struct and not here does not compile: the list takes the struct apart into as many names as it has
+// members.
 #include <concepts>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -15,12 +17,16 @@ concept Is = std::same_as<std::remove_const_t<T>, U>;
 
 } // namespace fissura::checkpoint
 
-/// fields(x): references to all members of a plain struct, in their order. To be used in the namespace of
-/// the struct, or in this one for those of the state.
+/// fields(x): references to all members of a plain struct, in their order; field_names(x): what they are
+/// called, parted by commas. To be used in the namespace of the struct, or in this one for those of the
+/// state.
 #define FISSURA_FIELDS(Type, ...)                                                                            \
   template <fissura::checkpoint::Is<Type> T> auto fields(T& whole) {                                         \
     auto& [__VA_ARGS__] = whole;                                                                             \
     return std::tie(__VA_ARGS__);                                                                            \
+  }                                                                                                          \
+  template <fissura::checkpoint::Is<Type> T> constexpr std::string_view field_names(T const& /*of*/) {       \
+    return #__VA_ARGS__;                                                                                     \
   }
 
 namespace fissura::checkpoint {

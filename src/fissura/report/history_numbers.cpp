@@ -67,6 +67,29 @@ char const* kind_name(model::GaugeSpec::Kind kind) {
   return "";
 }
 
+int turns_of(model::Curve const& c) {
+  if (c.kind == model::Curve::Kind::cycles) return 2 * c.repeats * static_cast<int>(c.peaks.size());
+  int turns = 0;
+  double way = 0;
+  for (std::size_t i = 1; i < c.values.size(); ++i) {
+    double const step = c.values[i] - c.values[i - 1];
+    turns += step * way < 0;
+    if (step != 0) way = step;
+  }
+  return turns;
+}
+
+/// Whether some load goes to and fro on purpose: cycles, a table that turns twice, a path with several targets.
+bool is_cyclic(model::Case const& c) {
+  bool found = false;
+  for (auto const& m : c.motions) {
+    found |= turns_of(m.curve) >= 2;
+    found |= m.path && m.path->targets.size() >= 2;
+  }
+  for (auto const& f : c.forces) found |= turns_of(f.curve) >= 2;
+  return found;
+}
+
 } // namespace
 
 void add_history(Blob& blob, std::string const& name, History const& history) {
@@ -84,7 +107,7 @@ void add_history(Blob& blob, std::string const& name, History const& history) {
 }
 
 output::Json describe_deck(RunFolder const& run) {
-  output::Json d = {{"gauges", output::Json::array()}, {"bars", output::Json::array()}, {"dynamic", false}};
+  output::Json d = {{"gauges", output::Json::array()}, {"bars", output::Json::array()}, {"dynamic", false}, {"cyclic", false}};
   if (run.deck.empty()) return d;
   try {
     auto const c = deck::read_case_text(run.deck, run.path() + "/case.toml");
@@ -99,6 +122,7 @@ output::Json describe_deck(RunFolder const& run) {
     bool moving = !c.impactors.empty() || !c.initial_velocities.empty() || !c.absorbing.empty();
     for (auto const& m : c.motions) moving |= m.record.has_value();
     d["dynamic"] = moving; // inertia is meant to matter
+    d["cyclic"] = is_cyclic(c);
   } catch (core::Error const&) {
     d["unreadable"] = true;
   }

@@ -43,8 +43,10 @@ std::optional<Trouble> Monitor::take(step::EnergyBalance const& e, Model const& 
     return not_finite(m, s);
   scale_ = std::max(scale_, e.start + e.absolute_work);
   if (std::abs(e.missing()) > std::abs(worst_missing_)) worst_missing_ = e.missing();
-  shares_.push_back({e.kinetic, e.internal()});
-  weigh_forces(m, s);
+  Reading reading{.time = s.time, .kinetic = e.kinetic, .internal = e.internal(), .resultant = {}};
+  weigh_forces(reading, m, s);
+  last_imbalance_ = reading.forces > 0 ? norm(reading.resultant) / reading.forces : 0;
+  readings_.push_back(reading);
   if (scale_ < floor_ || scale_ <= 0) return std::nullopt;
   double const now = e.missing() / scale_;
   if (std::abs(now) > m.source.run.residual_warn) warned_ = true;
@@ -69,7 +71,7 @@ Trouble Monitor::unbalanced(double residual, Model const& m, State const& s) {
   return t;
 }
 
-void Monitor::weigh_forces(Model const& m, State const& s) {
+void Monitor::weigh_forces(Reading& reading, Model const& m, State const& s) {
   Vec3 resultant = m.total_mass * loads::gravity_at(m, s, s.load_time());
   double sum = norm(resultant);
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
@@ -85,27 +87,14 @@ void Monitor::weigh_forces(Model const& m, State const& s) {
     resultant += body.force;
     sum += norm(body.force);
   }
-  resultant_ += norm(resultant);
-  last_imbalance_ = sum > 0 ? norm(resultant) / (0.5 * sum) : 0;
-  all_forces_ += 0.5 * sum; // each force and what holds it
-}
-
-double Monitor::quiet_share() const {
-  double largest = 0;
-  for (auto const& s : shares_) largest = std::max(largest, s.internal);
-  long quiet = 0, counted = 0;
-  for (auto const& s : shares_) {
-    if (!(s.internal > 0.01 * largest)) continue;
-    ++counted;
-    quiet += s.kinetic < 0.05 * s.internal;
-  }
-  return counted > 0 ? static_cast<double>(quiet) / static_cast<double>(counted) : 0;
+  reading.resultant = resultant;
+  reading.forces = 0.5 * sum;
 }
 
 double Monitor::kinetic_ratio() const {
   double largest = 0, ratio = 0;
-  for (auto const& s : shares_) largest = std::max(largest, s.internal);
-  for (auto const& s : shares_)
+  for (auto const& s : readings_) largest = std::max(largest, s.internal);
+  for (auto const& s : readings_)
     if (s.internal > 0.01 * largest) ratio = std::max(ratio, s.kinetic / s.internal);
   return ratio;
 }

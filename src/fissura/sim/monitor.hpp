@@ -6,6 +6,7 @@
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/rebar/rebar.hpp"
+#include "fissura/sim/inertia.hpp"
 #include "fissura/sim/trouble.hpp"
 #include "fissura/step/ledger.hpp"
 
@@ -29,34 +30,24 @@ class Monitor {
   double residual_of(step::EnergyBalance const& e) const { return scale_ > 0 ? e.missing() / scale_ : 0; }
   /// Largest kinetic/internal energy while the internal energy was above 1 % of its largest value.
   double kinetic_ratio() const;
-  /// Share of the readings, internal energy above 1 % of its largest value, with kinetic/internal below 5 %.
-  double quiet_share() const;
-  /// Mean resultant of reactions, applied forces and weight over the mean sum of their magnitudes: 0 =
-  /// equilibrium.
-  double imbalance() const { return all_forces_ > 0 ? resultant_ / all_forces_ : 0; }
-  /// The same of the last reading alone.
+  /// How much inertia took part so far.
+  Inertia inertia() const { return judge_inertia(readings_); }
+  /// Resultant over half the sum of the forces, of the last reading alone: 0 = equilibrium.
   double last_imbalance() const { return last_imbalance_; }
   bool crossed_warning() const { return warned_; }
 
   /// What a checkpoint holds.
   static auto fields(auto& self) {
-    return std::tie(self.worst_missing_, self.scale_, self.last_imbalance_, self.resultant_, self.all_forces_,
-                    self.warned_, self.shares_);
+    return std::tie(self.worst_missing_, self.scale_, self.last_imbalance_, self.warned_, self.readings_);
   }
-  struct Share {
-    double kinetic, internal; ///< [J]
-    using ListGrows = void;
-    static auto fields(auto& self) { return std::tie(self.kinetic, self.internal); }
-  };
 
  private:
   static Trouble unbalanced(double residual, model::Model const& m, state::State const& s);
-  void weigh_forces(model::Model const& m, state::State const& s);
+  static void weigh_forces(Reading& reading, model::Model const& m, state::State const& s);
   double worst_missing_ = 0, scale_ = 0, floor_ = 0;
   double last_imbalance_ = 0;
-  double resultant_ = 0, all_forces_ = 0; ///< sums over readings [N]
   bool warned_ = false, any_paper_ = false;
-  std::vector<Share> shares_;
+  std::vector<Reading> readings_;
 };
 
 } // namespace fissura::sim

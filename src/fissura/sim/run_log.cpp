@@ -54,14 +54,17 @@ void log_end(Log& log, State const& s, RunResult const& result, double wall) {
 }
 
 void log_verdict(Log& log, Model const& m, State const& s, Monitor const& monitor) {
-  double const quiet = monitor.quiet_share(), imbalance = monitor.imbalance();
+  auto const inertia = monitor.inertia();
   log.info("energy residual {:+.3g} % of the energy put in", 100 * monitor.residual());
-  log.info("kinetic/internal energy below 5 % in {:.0f} % of the readings (largest {:.3g}), forces out "
-           "of balance by {:.2g} %: {}",
-           100 * quiet, monitor.kinetic_ratio(), 100 * imbalance,
-           quiet > 0.9 && imbalance < 0.05 ? "quasi-static"
-           : is_paced(m) ? "inertia matters (else lower `pace_kinetic`, or load more slowly)"
-                         : "inertia matters (expected in dynamic cases; else load more slowly)");
+  log.info("kinetic/internal energy below 5 % in {:.0f} % of the time (largest {:.3g}), forces out "
+           "of balance by {:.2g} %{}: {}",
+           100 * inertia.quiet_share, monitor.kinetic_ratio(), 100 * inertia.imbalance,
+           inertia.period > 0
+               ? fmt::format(", both as means over {:.3g} ms, a vibration of the body", 1e3 * inertia.period)
+               : "",
+           inertia.is_quasi_static() ? "quasi-static"
+           : is_paced(m)             ? "inertia matters (else lower `pace_kinetic`, or load more slowly)"
+                                     : "inertia matters (expected in dynamic cases; else load more slowly)");
   if (monitor.crossed_warning())
     log.warning("the energy residual passed {:.2g} %: look at the energy columns of history.csv before "
                 "trusting the run",

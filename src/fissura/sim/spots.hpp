@@ -29,7 +29,8 @@ std::optional<Spot> find_non_finite_motion(model::Model const& m, state::State c
 std::optional<Spot> find_non_finite_memory(model::Model const& m, state::State const& s);
 /// The same answer, without the place, as fast as can be.
 bool memory_is_finite(model::Model const& m, state::State const& s);
-/// The same without the joints that act: an account of theirs that is not finite spoils their forces.
+/// The same, of the joints that act only the memory of their points: an account or separation of theirs that
+/// is not finite spoils their forces or is computed anew.
 bool idle_memory_is_finite(model::Model const& m, state::State const& s);
 
 } // namespace fissura::sim

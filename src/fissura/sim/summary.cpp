@@ -59,6 +59,7 @@ output::Json rigid_bodies(Model const& m, State const& s) {
 output::Json summary(Model const& m, State const& s, Outcome const& o) {
   auto const joints = concrete::count_joints(m, s);
   auto const bars = count_bars(s.bars);
+  auto const inertia = o.monitor.inertia();
   output::Json energy = output::Json::object();
   for (auto const& [name, value] : o.energy.accounts()) energy[std::string(name)] = value;
   output::Json j = output::Json::object();
@@ -88,8 +89,10 @@ output::Json summary(Model const& m, State const& s, Outcome const& o) {
   j["energy"] = energy;
   j["energy_residual"] = o.monitor.residual();
   j["max_kinetic_ratio"] = o.monitor.kinetic_ratio();
-  j["quasi_static_share"] = o.monitor.quiet_share();
-  j["force_imbalance"] = o.monitor.imbalance();
+  j["quasi_static"] = inertia.is_quasi_static();
+  j["quasi_static_share"] = inertia.quiet_share;
+  j["force_imbalance"] = inertia.imbalance;
+  j["vibration_period"] = inertia.period;
   j["state_hash"] = fmt::format("{:016x}", state_hash(m, s));
   j["stable_dt_limiter"] = m.dt_limiter;
   j["added_mass"] = m.added_mass;
