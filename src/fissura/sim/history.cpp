@@ -5,21 +5,14 @@
 #include <fstream>
 
 #include "fissura/core/error.hpp"
+#include "fissura/sim/columns.hpp"
 
 namespace fissura::sim {
 
 History::History(std::string const& path, model::Model const& m, Gauges const& gauges, std::uint64_t kept) {
   auto columns = gauges.columns();
-  for (auto const& p : m.prescribed)
-    columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
-  for (auto const& [name, value] : step::EnergyBalance{}.accounts())
-    columns.push_back({fmt::format("energy_{}", name), "J"});
-  columns.push_back({"energy_residual", "-"});
-  for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
-                            "bar_joints_yielded", "bars_broken", "fragments"})
-    columns.push_back({count, "-"});
+  for (auto& column : own_columns(m)) columns.push_back(std::move(column));
   is_paced_ = m.source.run.pace > 1;
-  if (is_paced_) columns.push_back({"load_time", "s"}), columns.push_back({"pace", "-"});
   if (!path.empty())
     csv_ = kept > 0 ? std::make_unique<output::CsvWriter>(path, columns, kept)
                     : std::make_unique<output::CsvWriter>(path, columns);
