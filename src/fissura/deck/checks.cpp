@@ -264,6 +264,24 @@ void check_duration(Reader& reader) {
   reader.error(place, "the run needs an end: `end_time` in [run], or [[stage]] tables");
 }
 
+/// As many rows and frames as their numbers may say.
+void check_output(Reader& reader) {
+  auto const& c = reader.the_case;
+  double end = c.run.end_time;
+  if (!(end > 0))
+    for (auto const& stage : c.stages) end += stage.duration;
+  auto const limit = [&](std::string_view key, double every, double most, std::string_view what) {
+    if (every > 0 && end / every > most)
+      reader.error(
+          reader.place(&c.output, key),
+          fmt::format("`{}` = {} makes {:.3g} {} to {}; at most {:.0e} are allowed: is the unit right?", key,
+                      units::from_si(every, units::Dimension::time), end / every, what,
+                      units::from_si(end, units::Dimension::time), most));
+  };
+  limit("frames_every", c.output.frames_every, 1e5, "frames");
+  limit("history_every", c.output.history_every, 1e7, "rows");
+}
+
 void check_pace(Reader& reader) {
   auto const& c = reader.the_case;
   if (!(c.run.pace > 1)) return;
@@ -307,6 +325,7 @@ void check_case(Reader& reader) {
   check_paths(reader);
   check_duration(reader);
   check_pace(reader);
+  check_output(reader);
 }
 
 } // namespace fissura::deck

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fmt/core.h>
 
+#include "fissura/deck/values.hpp"
+
 namespace fissura::deck {
 namespace {
 
@@ -27,6 +29,33 @@ std::string resolve_file(Reader& reader, core::Place const& place, std::string c
     reader.error(place,
                  fmt::format("there is no {} \"{}\" in {}", what, written, file.parent_path().string()));
   return file.string();
+}
+
+void read_columns(Reader& r, Node const& n, Key const& k, std::string const& value, int& time_column,
+                  int& value_column) {
+  bool const fits = n.kind == Node::Kind::array && (n.items.size() == 1 || n.items.size() == 2);
+  if (!fits)
+    return r.error(
+        n, fmt::format("`columns` must be [time, {0}] or [{0}], numbered from 1, not {1}", value, shown(n)));
+  value_column = static_cast<int>(read_integer(r, n.items.back(), k).value_or(1));
+  time_column = n.items.size() == 2 ? static_cast<int>(read_integer(r, n.items.front(), k).value_or(1)) : 0;
+  if (time_column == value_column) r.error(n, "`columns` names the same column twice");
+}
+
+std::optional<double> read_unit(Reader& r, Node const& n, Key const& k, units::Dimension dimension,
+                                std::string const& example) {
+  auto const text = read_text(r, n, k);
+  if (!text) return std::nullopt;
+  bool const bare = text->empty() || text->find_first_of("0123456789") != 0;
+  try {
+    double const unit = units::to_si(bare ? "1 " + *text : *text, dimension);
+    if (unit > 0) return unit;
+    r.error(n, fmt::format("`unit` = {} is no unit; give e.g. {}", shown(n), example));
+  } catch (core::Error const& e) {
+    r.error(
+        n, fmt::format("`unit` = {}: {}; here only the unit is meant, e.g. {}", shown(n), e.what(), example));
+  }
+  return std::nullopt;
 }
 
 } // namespace fissura::deck

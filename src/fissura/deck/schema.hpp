@@ -76,6 +76,11 @@ Shape const& curve_shape();
 struct CurveDraft {
   model::Curve curve;
   units::Dimension dimension = units::Dimension::none;
+  std::string key{}; ///< that holds the curve
+  std::string file{};
+  bool allow_outside = false;
+  int time_column = 1, value_column = 2; ///< of the file
+  double time_step = 0, unit = 1;
 };
 
 /// What the readings of a gauge are.

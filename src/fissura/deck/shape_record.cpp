@@ -12,16 +12,8 @@ using Baseline = RecordSpec::Baseline;
 using Written = std::optional<std::string>;
 using units::Dimension;
 
-void read_columns(Reader& r, Node const& n, Key const& k, RecordSpec& record) {
-  bool const fits = n.kind == Node::Kind::array && (n.items.size() == 1 || n.items.size() == 2);
-  if (!fits)
-    return r.error(
-        n, fmt::format("`columns` must be [time, acceleration] or [acceleration], numbered from 1, not {}",
-                       shown(n)));
-  record.acceleration_column = static_cast<int>(read_integer(r, n.items.back(), k).value_or(1));
-  record.time_column =
-      n.items.size() == 2 ? static_cast<int>(read_integer(r, n.items.front(), k).value_or(1)) : 0;
-  if (record.time_column == record.acceleration_column) r.error(n, "`columns` names the same column twice");
+void read_record_columns(Reader& r, Node const& n, Key const& k, RecordSpec& record) {
+  read_columns(r, n, k, "acceleration", record.time_column, record.acceleration_column);
 }
 
 Written write_columns(RecordSpec const& record) {
@@ -32,21 +24,15 @@ Written write_columns(RecordSpec const& record) {
   return write_array(items);
 }
 
-void read_unit(Reader& r, Node const& n, Key const& k, RecordSpec& record) {
-  auto const text = read_text(r, n, k);
-  if (!text) return;
-  bool const bare = text->empty() || text->find_first_of("0123456789") != 0;
-  try {
-    record.unit = units::to_si(bare ? "1 " + *text : *text, Dimension::acceleration);
-  } catch (core::Error const& e) {
-    r.error(n, fmt::format("`unit` = {}: {}; here only the unit is meant, e.g. \"g\" or \"cm/s2\"", shown(n),
-                           e.what()));
-  }
+void read_record_unit(Reader& r, Node const& n, Key const& k, RecordSpec& record) {
+  if (auto const unit = read_unit(r, n, k, Dimension::acceleration, "\"g\" or \"cm/s2\""))
+    record.unit = *unit;
 }
 
 void finish_record(Reader& reader, Node const& table, void* data) {
   auto& record = *static_cast<RecordSpec*>(data);
   bool const columns = reader.given(data, "columns"), step = reader.given(data, "time_step");
+  record.as_header_says = !step && !columns;
   if (step && !columns) record.time_column = record.acceleration_column = 0;
   if (step && columns && record.time_column > 0)
     reader.error(reader.place(data, "time_step"),
@@ -65,23 +51,25 @@ Shape make_shape() {
   shape.doc =
       "A motion by an acceleration record: a text file with a time [s] and an acceleration in each row, "
       "between which it "
-      "is linear. Numbers are parted by spaces, commas or semicolons. Lines that begin with #, %, ! or // "
-      "and lines "
-      "before the first row are skipped. Velocity and displacement are the exact integrals from rest; after "
+      "is linear. Numbers are parted by spaces, commas or semicolons; Fortran's exponents (1.2D-3) are read, "
+      "decimal commas are refused. Lines that begin with #, %, ! or // and lines before the first row are "
+      "skipped, but what they say of step, count and unit (`NPTS= 4000, DT= .0050 SEC`, a first row `4000 "
+      "0.005`) is compared with the deck and with the rows. Where neither `columns` nor `time_step` is "
+      "given, a step in the header stands for both. PGA, count and step stand in the log. Velocity and "
+      "displacement are the exact integrals from rest; after "
       "its end "
       "the velocity stays as it is. Three motions with three records shake a base in three directions.";
   shape.finish = finish_record;
   Fields<RecordSpec> f(shape.keys);
   f.text("file", &RecordSpec::file, "The record, relative to the folder of the deck; at most 64 MiB.")
       .required();
-  f.custom("unit", "a unit of acceleration, e.g. `g`", "Unit of the record; files carry none.", read_unit,
+  f.custom("unit", "a unit of acceleration, e.g. `g`", "Unit of the record.", read_record_unit,
            [](RecordSpec const& r) -> Written { return write_quantity(r.unit, Dimension::acceleration); })
       .required();
-  f.custom(
-       "columns", "one or two whole numbers",
-       "Columns of time and acceleration, from 1; `[1, 2]` unless said. One number: the acceleration, with "
-       "`time_step`.",
-       read_columns, write_columns)
+  f.custom("columns", "one or two whole numbers",
+           "Columns of time and acceleration, from 1; `[1, 2]` unless said or the header names a step. One "
+           "number: the acceleration, with `time_step`.",
+           read_record_columns, write_columns)
       .range({1, 1000});
   f.quantity("time_step", &RecordSpec::time_step, Dimension::time,
              "For records without times. Without `columns` all numbers of all rows are read, row after row.")

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "fissura/deck/nearest.hpp"
 
@@ -78,7 +80,11 @@ std::optional<double> read_quantity(Reader& reader, Node const& node, Wanted con
     return std::nullopt;
   }
   try {
-    return in_range(reader, node, wanted, units::to_si(node.text, wanted.dimension));
+    double const value = units::to_si(node.text, wanted.dimension), most = units::info(wanted.dimension).most;
+    if (std::abs(value) <= most) return in_range(reader, node, wanted, value);
+    reader.error(node, fmt::format("`{}` = {} is beyond anything physical: at most {} can be computed with",
+                                   wanted.name, shown(node), units::from_si(most, wanted.dimension)));
+    return std::nullopt;
   } catch (core::Error const& e) {
     if (e.failure != core::Failure::input) throw;
     reader.error(node, fmt::format("`{}` = {}: {}", wanted.name, shown(node), e.what()));
@@ -105,9 +111,13 @@ std::optional<std::string> read_name(Reader& reader, Node const& node, Wanted co
   auto const text = read_text(reader, node, wanted);
   if (!text) return std::nullopt;
   bool const bad =
-      text->empty() || text->size() > 100 || text->find_first_of(",;\"'`\n\t[]") != std::string::npos;
+      text->empty() || text->size() > 100 || text->find_first_of(",;\"'`[]") != std::string::npos ||
+      text->front() == ' ' || text->back() == ' ' ||
+      std::any_of(text->begin(), text->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   if (!bad) return text;
-  expected(reader, node, wanted, "a name of 1 to 100 characters without commas, quotes and brackets");
+  expected(reader, node, wanted,
+           "a name of 1 to 100 characters without commas, quotes, brackets, control characters and blanks "
+           "around it");
   return std::nullopt;
 }
 

@@ -34,6 +34,7 @@ double table_value(Curve const& c, double t) {
 
 /// Turning points 0, +a, -a, 0 (or 0, +a, 0) joined by smooth steps: no velocity jump at a reversal.
 double cycle_value(Curve const& c, double t) {
+  if (t / c.period >= static_cast<double>(c.peaks.size()) * std::max(1, c.repeats)) return 0;
   std::size_t const done = static_cast<std::size_t>(t / c.period);
   std::size_t const peak = done / static_cast<std::size_t>(std::max(1, c.repeats));
   if (peak >= c.peaks.size()) return 0;

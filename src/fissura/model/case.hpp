@@ -206,8 +206,10 @@ struct RecordSpec {
   int time_column = 1;         ///< from 1; 0 = none, evenly spaced by time_step
   int acceleration_column = 2; ///< from 1; 0 = all numbers of all rows, without times
   double time_step = 0;        ///< [s]
-  double unit = 1;             ///< m/s2 per unit of the file
-  double pga = 0;              ///< > 0: scaled to this largest |acceleration| [m/s2]
+  bool as_header_says =
+      false;       ///< neither columns nor time_step are given: a step in the header stands for both
+  double unit = 1; ///< m/s2 per unit of the file
+  double pga = 0;  ///< > 0: scaled to this largest |acceleration| [m/s2]
   Baseline baseline = Baseline::none;
   double start = 0; ///< the record begins this long after the stage [s]
 };
@@ -362,7 +364,8 @@ struct OutputSpec {
 
 struct Case {
   std::string title;
-  std::string deck_file, folder; ///< where it was read; the folder resolves relative paths
+  std::string deck_file, folder;            ///< where it was read; the folder resolves relative paths
+  std::vector<std::string> notes, warnings; ///< what reading the deck and the files it names has shown
   MeshSpec mesh;
   std::vector<ConcreteSpec> concretes;
   std::vector<JointRegionSpec> joint_regions;

@@ -4,16 +4,39 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/core.h>
-#include <fstream>
-#include <iterator>
 #include <numeric>
+#include <utility>
+
+#include "fissura/model/series.hpp"
 
 namespace fissura::model {
 
 namespace {
 
 using core::InputError;
-using core::Place;
+
+constexpr double gravity = 9.80665; ///< g [m/s2]
+
+double largest(std::vector<double> const& values) {
+  double most = 0;
+  for (double const v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+/// The unit that a header names against that of the deck.
+void compare_unit(std::string const& header, std::string const& name, RecordSpec const& spec,
+                  std::vector<std::string>& warnings) {
+  double const named = header == "g"       ? gravity
+                       : header == "cm/s2" ? 0.01
+                       : header == "mm/s2" ? 0.001
+                       : header == "m/s2"  ? 1
+                                           : spec.unit;
+  if (std::abs(named / spec.unit - 1) > 0.01)
+    warnings.push_back(
+        fmt::format("{}: the header names the unit {}, `unit` of the deck is {:.6g} m/s2: one of "
+                    "them is wrong",
+                    name, header, spec.unit));
+}
 
 std::vector<double> integral(std::vector<double> const& times, std::vector<double> const& rate) {
   std::vector<double> sum(rate.size(), 0);
@@ -81,14 +104,13 @@ void correct_and_integrate(Record& r, RecordSpec const& spec) {
   using Baseline = RecordSpec::Baseline;
   if (spec.baseline != Baseline::none)
     remove_baseline(r, spec.baseline == Baseline::mean ? 0 : spec.baseline == Baseline::linear ? 1 : 2);
-  double largest = 0;
-  for (double const a : r.acceleration) largest = std::max(largest, std::abs(a));
+  double const peak = largest(r.acceleration);
   if (spec.pga > 0) {
-    if (!(largest > 0))
+    if (!(peak > 0))
       throw InputError(
           spec.place,
           fmt::format("the record \"{}\" is zero throughout and cannot be scaled to `pga`", spec.file));
-    for (double& a : r.acceleration) a *= spec.pga / largest;
+    for (double& a : r.acceleration) a *= spec.pga / peak;
   }
   r.velocity = integral(r.times, r.acceleration);
   r.displacement.assign(r.times.size(), 0);
@@ -99,21 +121,60 @@ void correct_and_integrate(Record& r, RecordSpec const& spec) {
   }
 }
 
+Record parse_record(std::string_view text, std::string const& name, RecordSpec const& spec) {
+  SeriesFormat format;
+  format.what = "record", format.value = "an acceleration";
+  format.time_column = spec.time_column, format.value_column = spec.acceleration_column;
+  format.time_step = spec.time_step, format.as_header_says = spec.as_header_says;
+  format.unit = spec.unit;
+  auto series = parse_series(text, name, format);
+  double const begin = series.times.front();
+  for (double& t : series.times) t -= begin;
+  Record r;
+  r.times = std::move(series.times), r.acceleration = std::move(series.values);
+  r.notes = std::move(series.notes), r.warnings = std::move(series.warnings);
+  compare_unit(series.header.unit, name, spec, r.warnings);
+  return r;
+}
+
 Record read_record(RecordSpec const& spec) {
-  constexpr std::uintmax_t largest = 64U << 20U;
-  namespace fs = std::filesystem;
   std::error_code ec;
-  if (!fs::is_regular_file(spec.file, ec))
+  if (!std::filesystem::is_regular_file(spec.file, ec))
     throw InputError(spec.place, fmt::format("there is no record \"{}\"", spec.file));
-  if (fs::file_size(spec.file, ec) > largest)
-    throw InputError(Place{spec.file}, fmt::format("the record is larger than {} MiB", largest >> 20U));
-  std::ifstream in(spec.file, std::ios::binary);
-  std::string const text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in || in.bad())
-    throw core::Error(core::Failure::io, fmt::format("cannot read the record \"{}\"", spec.file));
-  auto r = parse_record(text, spec.file, spec);
+  auto r = parse_record(read_series_text(spec.file, "record"), spec.file, spec);
   correct_and_integrate(r, spec);
   return r;
+}
+
+std::string describe(Record const& r) {
+  double const pga = largest(r.acceleration);
+  return fmt::format(
+      "{}; PGA {:.4f} g ({:.4g} m/s2), largest velocity {:.4g} m/s, largest displacement {:.4g} "
+      "m; it ends with {:.3g} m/s at {:.4g} m",
+      extent_of(r.times), pga / gravity, pga, largest(r.velocity), largest(r.displacement), r.velocity.back(),
+      r.displacement.back());
+}
+
+std::vector<std::string> doubts(Record const& r) {
+  constexpr double most_g = 3, most_metres = 2, leads_by = 10;
+  std::vector<std::string> found;
+  double const pga = largest(r.acceleration);
+  if (pga > most_g * gravity)
+    found.push_back(fmt::format("its PGA is {:.4g} g; hardly a quake has more than {} g: is `unit` right?",
+                                pga / gravity, most_g));
+  double const moved = largest(r.displacement);
+  if (moved > most_metres)
+    found.push_back(
+        fmt::format("the base moves by {:.4g} m: are `unit` and the step right, and does it need a "
+                    "`baseline`?",
+                    moved));
+  double rest = 0;
+  for (std::size_t i = 1; i < r.acceleration.size(); ++i) rest = std::max(rest, std::abs(r.acceleration[i]));
+  if (r.acceleration.size() > 3 && rest > 0 && std::abs(r.acceleration.front()) > leads_by * rest)
+    found.push_back(fmt::format("its first value, {:.4g} m/s2, is {:.3g} times the largest of the others: a "
+                                "header that was read as a value? Begin that line with #",
+                                r.acceleration.front(), std::abs(r.acceleration.front()) / rest));
+  return found;
 }
 
 Curve displacement_curve(Record const& r, double start) {

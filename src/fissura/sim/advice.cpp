@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 #include <set>
 
+#include "fissura/model/select.hpp"
+
 namespace fissura::sim {
 
 using model::Model;
@@ -44,11 +46,52 @@ void advise_height(std::vector<std::string>& out, Model const& m, mesh::Quality 
   }
 }
 
+/// Where the points of a support lie.
+struct Patch {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  double extent(int axis) const { return high[axis] - low[axis]; }
+};
+
+Patch patch_of(Model const& m, model::Selector const& where) {
+  Patch patch;
+  for (int const point : model::select_points(m.mesh, where))
+    for (int k = 0; k < 3; ++k) {
+      double const x = m.mesh.points[static_cast<std::size_t>(point)][k];
+      patch.low[k] = std::min(patch.low[k], x), patch.high[k] = std::max(patch.high[k], x);
+    }
+  return patch;
+}
+
+/// A bearing that holds a patch of a bent member across its span keeps it from turning there, like a wall. An
+/// end face has no length along the span and is meant to; so is a block held over the whole height, and a
+/// body that lies on its support for most of its length is not bent by it.
+void advise_bearings(std::vector<std::string>& out, Model const& m, mesh::Quality const& q) {
+  Vec3 const extent = q.high - q.low;
+  int along = 0;
+  for (int k = 1; k < 3; ++k)
+    if (extent[k] > extent[along]) along = k;
+  for (auto const& s : m.source.supports)
+    for (int const k : loaded_axes(m.source)) {
+      if (k == along || !s.fix[static_cast<std::size_t>(k)] || extent[along] < slender * extent[k]) continue;
+      auto const patch = patch_of(m, s.where);
+      bool const has_length = patch.extent(along) > 1e-6 * extent[along];
+      if (!has_length || patch.extent(along) > 0.5 * extent[along] || patch.extent(k) > 0.5 * extent[k])
+        continue;
+      out.push_back(
+          fmt::format("support `{0}` holds {1} over a length of {2:.3g} mm along {3}: that keeps the member "
+                      "from turning there, "
+                      "as a wall would, and it carries more than on a bearing; hold one line of points "
+                      "across it (where = "
+                      "{{line = [...]}}, or {{plane = \"{3}\", ...}} through the middle of a bearing plate)",
+                      s.name, "xyz"[k], 1e3 * patch.extent(along), "xyz"[along]));
+    }
+}
+
 } // namespace
 
 std::vector<std::string> advice(Model const& m, mesh::Quality const& quality) {
   std::vector<std::string> out;
-  if (!m.source.concretes.empty()) advise_height(out, m, quality);
+  if (!m.source.concretes.empty()) advise_height(out, m, quality), advise_bearings(out, m, quality);
   return out;
 }
 

@@ -49,20 +49,67 @@ void build_stages(Model& m) {
     m.stages.push_back({"run", c.run.end_time, c.run.mass_damping, c.run.local_damping, 0});
 }
 
-/// Which item prescribes each (node, axis): two would fight over it.
+/// Whether two items ask the same of a node: supports always do, motions where their curves are the same.
+bool agree(model::Prescribed const& a, model::Prescribed const& b) {
+  auto const& c = a.motion.curve;
+  auto const& d = b.motion.curve;
+  auto const rests = [](model::Prescribed const& p) {
+    return p.path < 0 && p.motion.stage < 0 && p.motion.curve.kind == model::Curve::Kind::constant &&
+           p.motion.curve.value == 0;
+  };
+  if (rests(a) && rests(b)) return true;
+  return a.is_velocity == b.is_velocity && a.motion.stage == b.motion.stage && a.path == b.path &&
+         (a.path < 0 || a.scale == b.scale) && c.kind == d.kind && c.value == d.value && c.over == d.over &&
+         c.times == d.times && c.values == d.values && c.slopes == d.slopes && c.peaks == d.peaks &&
+         c.period == d.period && c.repeats == d.repeats && c.one_sided == d.one_sided;
+}
+
+/// Which item prescribes each (node, axis). Items that agree may share points: the first in the deck,
+/// supports before motions, holds them and books their reaction; those that do not would fight over them.
 class Owners {
  public:
-  void claim(int node, int axis, std::string const& name, core::Place const& place) {
-    auto const [where, is_new] = owner_.try_emplace({node, axis}, name);
-    if (!is_new)
-      throw core::InputError(
-          place, fmt::format("`{}` and `{}` both prescribe the {} motion of the same node; let them "
-                             "select different points or components",
-                             name, where->second, "xyz"[axis]));
+  explicit Owners(Model& m) : m_(m) {}
+
+  /// Adds the item, without the nodes that an earlier one holds in the same way.
+  void add(model::Prescribed p, core::Place const& place) {
+    auto const mine = m_.prescribed.size();
+    std::vector<int> nodes;
+    std::map<std::size_t, std::set<int>> shared; ///< points, by the item that has them
+    for (int const node : p.nodes) {
+      auto const owner = owner_.try_emplace({node, p.axis}, mine).first->second;
+      if (owner == mine) {
+        nodes.push_back(node);
+        continue;
+      }
+      if (!agree(m_.prescribed[owner], p)) refuse(p, m_.prescribed[owner], node, place);
+      shared[owner].insert(m_.mesh.tets[static_cast<std::size_t>(node / 4)][node % 4]);
+    }
+    for (auto const& [owner, points] : shared)
+      notes.push_back(fmt::format(
+          "`{0}` and `{1}` hold {2} together along {3}: `{1}`, which comes first, takes their reaction{4}",
+          p.name, m_.prescribed[owner].name,
+          points.size() == 1 ? "a point" : fmt::format("{} points", points.size()), "xyz"[p.axis],
+          nodes.empty() ? fmt::format(", and that of `{}` is zero", p.name) : ""));
+    p.nodes = std::move(nodes);
+    m_.prescribed.push_back(std::move(p));
   }
 
+  std::vector<std::string> notes;
+
  private:
-  std::map<std::pair<int, int>, std::string> owner_;
+  [[noreturn]] void refuse(model::Prescribed const& p, model::Prescribed const& other, int node,
+                           core::Place const& place) const {
+    Vec3 const x =
+        m_.mesh.points[static_cast<std::size_t>(m_.mesh.tets[static_cast<std::size_t>(node / 4)][node % 4])];
+    throw core::InputError(
+        place,
+        fmt::format("`{}` and `{}` both prescribe the {} motion of the point at ({:.6g}, {:.6g}, {:.6g}) "
+                    "m, and not alike; let them select different points or components",
+                    p.name, other.name, "xyz"[p.axis], x.x, x.y, x.z));
+  }
+
+  Model& m_;
+  std::map<std::pair<int, int>, std::size_t> owner_; ///< index into Model::prescribed
 };
 
 std::vector<int> nodes_at(Model const& m, Copies const& copies, model::Selector const& where) {
@@ -101,29 +148,35 @@ void follow(Model const& m, model::MotionSpec const& s, model::Prescribed& p) {
   p.scale = s.path->scale;
 }
 
-void take_record(model::MotionSpec const& s, model::Prescribed& p) {
+void take_record(model::MotionSpec const& s, model::Prescribed& p, BuildReport& report) {
+  auto const record = model::read_record(*s.record);
+  report.notes.insert(report.notes.end(), record.notes.begin(), record.notes.end());
+  report.notes.push_back(fmt::format("motion `{}`: a record of {}", s.name, model::describe(record)));
+  report.warnings.insert(report.warnings.end(), record.warnings.begin(), record.warnings.end());
+  for (auto const& doubt : model::doubts(record))
+    report.warnings.push_back(fmt::format("motion `{}`: {}", s.name, doubt));
   p.is_velocity = false;
-  p.motion.curve = model::displacement_curve(model::read_record(*s.record), s.record->start);
+  p.motion.curve = model::displacement_curve(record, s.record->start);
 }
 
-void build_prescribed(Model& m, Copies const& copies) {
-  Owners owners;
+void build_prescribed(Model& m, Copies const& copies, BuildReport& report) {
+  Owners owners(m);
   for (auto const& s : m.source.supports) {
     auto const nodes = nodes_at(m, copies, s.where);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!s.fix[axis]) continue;
-      for (int const n : nodes) owners.claim(n, axis, s.name, s.place);
-      m.prescribed.push_back({s.name, axis, true, {}, nodes});
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      if (s.fix[axis]) owners.add({s.name, axis, true, {}, nodes}, s.place);
   }
   for (auto const& s : m.source.motions) {
-    auto const nodes = nodes_at(m, copies, s.where);
-    for (int const n : nodes) owners.claim(n, s.axis, s.name, s.place);
-    m.prescribed.push_back(
-        {s.name, s.axis, s.is_velocity, {s.curve, stage_number(m, s.stage, s.place)}, nodes});
-    if (s.record) take_record(s, m.prescribed.back());
-    if (s.path) follow(m, s, m.prescribed.back());
+    model::Prescribed p{s.name,
+                        s.axis,
+                        s.is_velocity,
+                        {s.curve, stage_number(m, s.stage, s.place)},
+                        nodes_at(m, copies, s.where)};
+    if (s.record) take_record(s, p, report);
+    if (s.path) follow(m, s, p);
+    owners.add(std::move(p), s.place);
   }
+  report.notes.insert(report.notes.end(), owners.notes.begin(), owners.notes.end());
 }
 
 /// Entries name a node at first; its overlay slot is known once all hosts are.
@@ -190,11 +243,11 @@ void build_forces(Model& m, Copies const& copies) {
 
 } // namespace
 
-void build_loads(Model& m) {
+void build_loads(Model& m, BuildReport& report) {
   build_stages(m);
   Copies const copies(m.mesh);
   build_paths(m);
-  build_prescribed(m, copies);
+  build_prescribed(m, copies, report);
   build_forces(m, copies);
   auto const& g = m.source.gravity;
   m.gravity = {g.on, unit(g.direction), {g.curve, stage_number(m, g.stage, g.place)}};

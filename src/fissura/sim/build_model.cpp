@@ -18,7 +18,10 @@
 #include "fissura/model/presets.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/sim/advice.hpp"
+#include "fissura/sim/bar_doubts.hpp"
+#include "fissura/sim/columns.hpp"
 #include "fissura/sim/doubts.hpp"
+#include "fissura/sim/stages.hpp"
 #include "fissura/step/stable_step.hpp"
 #include "fissura/units/units.hpp"
 
@@ -40,23 +43,6 @@ mesh::Mesh make_mesh(model::MeshSpec const& spec) {
   for (auto const& b : spec.boxes)
     boxes.push_back({b.name, b.from, b.to, b.cells, b.tets_per_cell, b.grading, b.place, b.body});
   return mesh::make_boxes(boxes);
-}
-
-void note_records(Model const& m, BuildReport& report) {
-  auto largest = [](std::vector<double> const& values) {
-    double most = 0;
-    for (double const v : values) most = std::max(most, std::abs(v));
-    return most;
-  };
-  for (auto const& p : m.prescribed) {
-    auto const& c = p.motion.curve;
-    if (c.slopes.empty()) continue;
-    report.notes.push_back(
-        fmt::format("motion `{}`: a record of {:.4g} s; largest velocity {:.4g} m/s, largest displacement "
-                    "{:.4g} m; it ends with {:.3g} m/s at {:.4g} m",
-                    p.name, c.times.back() - c.times.front(), largest(c.slopes), largest(c.values),
-                    c.slopes.back(), c.values.back()));
-  }
 }
 
 void note_assumptions(Model const& m, BuildReport& report) {
@@ -100,6 +86,28 @@ step::StableStep lift_step(Model& m, double dt) {
   return stable;
 }
 
+/// A step so short that the end is out of reach: names what makes it.
+void check_reach(Model const& m) {
+  constexpr double most_steps = 1e13; // years of the fastest machine
+  double const end = planned_end(m), steps = end / m.dt;
+  if (m.dt > 0 && steps < most_steps) return; // also false where one is no number
+  auto const fastest = std::max_element(
+      m.source.concretes.begin(), m.source.concretes.end(), [](auto const& a, auto const& b) {
+        return a.E / (a.density * a.density_factor) < b.E / (b.density * b.density_factor);
+      });
+  auto const& run = m.source.run;
+  auto const cause =
+      run.dt > 0 ? fmt::format("`dt` = {} of [run]", units::from_si(run.dt, units::Dimension::time))
+                 : fmt::format("`E` = {} and `density` = {} of `{}` and the smallest tets",
+                               units::from_si(fastest->E, units::Dimension::pressure),
+                               units::from_si(fastest->density, units::Dimension::density), fastest->name);
+  throw core::InputError(
+      fastest->place,
+      fmt::format("{} make a time step of {:.3g} s, of which the run would need {:.3g} to {}: it "
+                  "would never end; are their units right, and that of `end_time`?",
+                  cause, m.dt, steps, units::from_si(end, units::Dimension::time)));
+}
+
 void choose_step(Model& m, BuildReport& report) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
@@ -110,6 +118,7 @@ void choose_step(Model& m, BuildReport& report) {
   m.dt_limiter = run.dt > 0
                      ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
                      : stable.limiter;
+  check_reach(m);
   if (run.dt > limit)
     report.warnings.push_back(
         fmt::format("[run] dt = {} is longer than the largest stable step, {} by {}: the run will blow up; "
@@ -134,7 +143,8 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   pause();
   m.adjacency = mesh::make_adjacency(m.mesh);
   report.quality = mesh::measure_quality(m.mesh, m.adjacency);
-  report.warnings = mesh::quality_warnings(report.quality);
+  report.notes = c.notes, report.warnings = c.warnings;
+  for (auto& warning : mesh::quality_warnings(report.quality)) report.warnings.push_back(std::move(warning));
   m.material_of_tet = model::assign_materials(c, m.mesh);
   model::make_blocks(m);
   pause();
@@ -143,13 +153,15 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   m.bars = std::move(embedded.bars);
   report.embedding = std::move(embedded.report);
   report.warnings.insert(report.warnings.end(), embedded.warnings.begin(), embedded.warnings.end());
+  check_bar_sizes(m, report.quality);
   std::vector<double> steel(4 * static_cast<std::size_t>(m.tets.count), 0);
   rebar::add_steel_mass(m.bars, steel);
   model::add_steel_mass(m, steel);
 
   rebar::set_bar_joint_laws(m);
 
-  build_loads(m);
+  build_loads(m, report);
+  check_gauge_names(m);
   build_rigid(m);
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
@@ -161,7 +173,6 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));
   for (auto& doubt : doubts(m, report.quality)) report.warnings.push_back(std::move(doubt));
   note_assumptions(m, report);
-  note_records(m, report);
   return m;
 }
 

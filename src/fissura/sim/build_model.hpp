@@ -26,7 +26,7 @@ model::Model build_model(model::Case const& c, BuildReport& report,
 
 /// Supports, motions, forces, tractions, gravity and stages of the case, resolved to nodes; fills in
 /// overlay_tets.
-void build_loads(model::Model& m);
+void build_loads(model::Model& m, BuildReport& report);
 /// Resolves planes, impactors and initial velocities.
 void build_rigid(model::Model& m);
 

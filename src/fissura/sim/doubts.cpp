@@ -5,10 +5,13 @@
 #include <numbers>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/core.h>
 
-#include "fissura/loads/curve.hpp"
+#include "fissura/sim/bar_doubts.hpp"
+#include "fissura/sim/coarse_loads.hpp"
+#include "fissura/sim/held.hpp"
+#include "fissura/sim/material_doubts.hpp"
+#include "fissura/sim/stages.hpp"
 #include "fissura/units/units.hpp"
 
 namespace fissura::sim {
@@ -19,16 +22,6 @@ using units::Dimension;
 
 namespace {
 
-/// What is usual of a quantity [SI]; outside of it a unit is likely wrong.
-struct Usual {
-  double least, most;
-  Dimension dimension;
-};
-constexpr Usual concrete_E{5e9, 80e9, Dimension::pressure}, concrete_f_t{0.3e6, 15e6, Dimension::pressure},
-    concrete_f_c{5e6, 250e6, Dimension::pressure}, concrete_G_f{5, 1000, Dimension::energy_per_area},
-    density{300, 12000, Dimension::density}, steel_E{50e9, 250e9, Dimension::pressure},
-    steel_f_y{100e6, 2500e6, Dimension::pressure}, diameter{1e-3, 0.06, Dimension::length};
-
 /// Crossings of a wave that a load should take to come, those below which it is as good as a jump, and those
 /// of a run that is about waves [-].
 constexpr double calm_crossings = 10, few_crossings = 1, wave_problem = 20;
@@ -38,44 +31,20 @@ class Doubts {
   Doubts(Model const& model, mesh::Quality const& quality) : m(model), q(quality) {}
 
   std::vector<std::string> all() {
-    materials();
+    for (auto& text : material_doubts(m, q)) doubt(std::move(text));
+    for (auto& text : bar_doubts(m)) doubt(std::move(text));
     size();
     supports();
     loads();
+    for (auto& text : coarse_loads(m)) doubt(std::move(text));
     damping();
     duration();
+    guards();
     return std::move(found);
   }
 
  private:
   void doubt(std::string text) { found.push_back(std::move(text)); }
-
-  // ---- materials
-
-  void check(std::string const& of, char const* key, double value, Usual const& usual) {
-    if (value <= 0 || (value >= usual.least && value <= usual.most)) return;
-    doubt(fmt::format("{}: `{}` = {} lies outside the usual {} to {}: is the unit right?", of, key,
-                      units::from_si(value, usual.dimension), units::from_si(usual.least, usual.dimension),
-                      units::from_si(usual.most, usual.dimension)));
-  }
-
-  void materials() {
-    for (auto const& c : m.source.concretes) {
-      if (!c.joints || !c.crackable) continue; // plates of steel, lumped masses
-      check(c.name, "density", c.density, density);
-      check(c.name, "E", c.E, concrete_E);
-      check(c.name, "f_t", c.f_t, concrete_f_t);
-      check(c.name, "f_c", c.f_c, concrete_f_c);
-      check(c.name, "G_f", c.G_f, concrete_G_f);
-    }
-    for (auto const& s : m.source.steels) {
-      check(s.name, "E_s", s.E_s, steel_E);
-      check(s.name, "f_y", s.f_y, steel_f_y);
-      check(s.name, "density", s.density, density);
-    }
-    for (auto const& b : m.source.bars)
-      if (b.area == 0) check(b.name, "diameter", b.diameter, diameter); // a lumped bar gives its area
-  }
 
   // ---- the body
 
@@ -95,60 +64,17 @@ class Doubts {
   /// A body that is meant to move: thrown, dropped, struck, open to waves, or looked at for a few crossings
   /// of a wave, in which it goes nowhere.
   bool may_move() const {
+    return is_thrown() || (m.prescribed.empty() && !m.source.impactors.empty()) ||
+           end_time() < wave_problem * crossing();
+  }
+  bool is_thrown() const {
     auto const& c = m.source;
-    bool const thrown = !c.initial_velocities.empty() || !c.planes.empty() || !c.absorbing.empty();
-    return thrown || (m.prescribed.empty() && !c.impactors.empty()) || end_time() < wave_problem * crossing();
+    return !c.initial_velocities.empty() || !c.planes.empty() || !c.absorbing.empty();
   }
 
   void supports() {
-    auto const bodies = mesh::connected_bodies(m.mesh, m.adjacency);
-    bool const one = bodies.empty() || *std::max_element(bodies.begin(), bodies.end()) == 0;
-    if (!one || may_move()) return;
-    auto const free = free_motions();
-    for (int k = 0; k < 3; ++k)
-      if (free.moves[static_cast<std::size_t>(k)])
-        doubt(fmt::format(
-            "nothing holds the body along {0}: any force there carries it off; add a [[support]] with "
-            "fix = [\"{0}\"]",
-            "xyz"[k]));
-    if (free.turns >= 0)
-      doubt(fmt::format(
-          "nothing keeps the body from turning about an axis along {}: add a [[support]] away from that "
-          "axis",
-          "xyz"[free.turns]));
-  }
-
-  struct FreeMotions {
-    std::array<bool, 3> moves{};
-    int turns = -1; ///< axis of a free rotation, or -1
-  };
-
-  /// Rigid motions that no support and no prescribed motion concerns: the null space of their sum of squares.
-  FreeMotions free_motions() const {
-    Vec3 const centre = 0.5 * (q.low + q.high);
-    Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-    for (auto const& p : m.prescribed) {
-      Eigen::Matrix<double, 6, 6> mine = Eigen::Matrix<double, 6, 6>::Zero();
-      for (int const node : p.nodes) {
-        Vec3 const x = (2 / longest()) * (m.position.at(static_cast<std::size_t>(node)) - centre);
-        Eigen::Matrix<double, 6, 1> row = Eigen::Matrix<double, 6, 1>::Zero();
-        row[p.axis] =
-            1; // displacement along the axis of a unit translation, and of unit rotations: (w x r).e
-        int const next = (p.axis + 1) % 3, last = (p.axis + 2) % 3;
-        row[3 + next] = x[last], row[3 + last] = -x[next];
-        mine += row * row.transpose();
-      }
-      if (!p.nodes.empty()) sum += mine / static_cast<double>(p.nodes.size());
-    }
-    FreeMotions free;
-    for (int k = 0; k < 3; ++k) free.moves[static_cast<std::size_t>(k)] = sum.row(k).norm() < 1e-9;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> const modes(sum);
-    for (int i = 0; i < 6; ++i) {
-      if (modes.eigenvalues()[i] > 1e-9) continue;
-      Eigen::Vector3d turn = modes.eigenvectors().col(i).tail<3>();
-      if (turn.norm() > 1e-3) turn.cwiseAbs().maxCoeff(&free.turns);
-    }
-    return free;
+    if (is_thrown()) return;
+    for (auto& text : held_doubts(m, may_move())) doubt(std::move(text));
   }
 
   // ---- loads
@@ -252,12 +178,7 @@ class Doubts {
       }
   }
 
-  double end_time() const {
-    if (m.source.run.end_time > 0) return m.source.run.end_time;
-    double sum = 0;
-    for (auto const& s : m.stages) sum += s.duration;
-    return sum;
-  }
+  double end_time() const { return planned_end(m); }
 
   void duration() {
     double const end = end_time();
@@ -265,11 +186,32 @@ class Doubts {
       doubt(fmt::format("the run ends at {}, before a wave has crossed the body ({:.2g} ms): is the unit of "
                         "`end_time` right?",
                         units::from_si(end, Dimension::time), 1e3 * crossing()));
+    if (end / m.dt < 20)
+      doubt(fmt::format("the run has {:.2g} time steps of {:.3g} s to {}: too few to follow any motion; are "
+                        "`end_time`, `least_dt`, `density` and `E` right?",
+                        end / m.dt, m.dt, units::from_si(end, Dimension::time)));
     if (end / m.dt > 1e9)
       doubt(fmt::format(
           "the run takes {:.2g} steps to {}: this is an explicit program, load within a fraction of a "
           "second; is the unit of `end_time` right?",
           end / m.dt, units::from_si(end, Dimension::time)));
+  }
+
+  void guards() {
+    auto const& run = m.source.run;
+    if (run.residual_stop > 0.5)
+      doubt(fmt::format(
+          "[run] residual_stop = {:.3g}: with it nothing stops a run that creates or loses {:.3g} % "
+          "of its energy; 0.05 is usual",
+          run.residual_stop, 100 * run.residual_stop));
+    for (auto const& s : m.stages)
+      if (s.local_damping > 0.9) {
+        doubt(fmt::format(
+            "`local_damping` = {:.3g} takes nearly all force that moves the body: it creeps; 0.1 to "
+            "0.8 are usual",
+            s.local_damping));
+        return;
+      }
   }
 
   Model const& m;

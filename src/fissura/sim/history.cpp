@@ -3,19 +3,13 @@
 #include <fmt/core.h>
 #include <utility>
 
+#include "fissura/sim/columns.hpp"
+
 namespace fissura::sim {
 
 std::vector<output::Column> History::columns_of(model::Model const& m, Gauges const& gauges) {
   auto columns = gauges.columns();
-  for (auto const& p : m.prescribed)
-    columns.push_back({fmt::format("reaction_{}_{}", p.name, "xyz"[p.axis]), "N"});
-  for (auto const& [name, value] : step::EnergyBalance{}.accounts())
-    columns.push_back({fmt::format("energy_{}", name), "J"});
-  columns.push_back({"energy_residual", "-"});
-  for (char const* count : {"joints_damaged", "joints_cracked", "joints_broken", "bar_joints_activated",
-                            "bar_joints_yielded", "bars_broken", "fragments"})
-    columns.push_back({count, "-"});
-  if (m.source.run.pace > 1) columns.push_back({"load_time", "s"}), columns.push_back({"pace", "-"});
+  for (auto& column : own_columns(m)) columns.push_back(std::move(column));
   return columns;
 }
 

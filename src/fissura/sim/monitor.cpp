@@ -6,6 +6,7 @@
 
 #include "fissura/core/finite.hpp"
 #include "fissura/loads/loads.hpp"
+#include "fissura/sim/coarse_loads.hpp"
 #include "fissura/sim/guards.hpp"
 #include "fissura/sim/spots.hpp"
 
@@ -68,6 +69,11 @@ Trouble Monitor::unbalanced(double residual, Model const& m, State const& s) {
   t.cure =
       "lower [run] dt_factor and look at the energy columns of history.csv; raise [run] residual_stop only "
       "where this is understood";
+  if (auto const coarse = coarse_loads(m); !coarse.empty() && residual < 0) {
+    t.cause = coarse.front().substr(0, coarse.front().find(';'));
+    t.cure = "let the load take twenty steps or more, or shorten the step: `least_dt`, `density` and `E` "
+             "govern it";
+  }
   return t;
 }
 

@@ -1,6 +1,7 @@
 #include "fissura/sim/progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/core.h>
 
 #include "fissura/report/text_plot.hpp"
@@ -49,6 +50,9 @@ std::string progress_bar_line(Standing const& s, int width, bool colour) {
 }
 
 std::string readable_duration(double seconds) {
+  constexpr double year = 365.25 * 24 * 3600;
+  if (!std::isfinite(seconds)) return "an unknown time";
+  if (seconds > 10 * year) return fmt::format("{:.2g} years", seconds / year);
   long const s = static_cast<long>(seconds + 0.5);
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);

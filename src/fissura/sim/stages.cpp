@@ -33,8 +33,11 @@ bool loads_change(Model const& m, State const& s) {
 
 } // namespace
 
-Stages::Stages(Model const& m)
-    : end_(m.source.run.end_time > 0 ? m.source.run.end_time : length_from(m, 0)) {}
+double planned_end(Model const& m) {
+  return m.source.run.end_time > 0 ? m.source.run.end_time : length_from(m, 0);
+}
+
+Stages::Stages(Model const& m) : end_(planned_end(m)) {}
 
 void Stages::go_on_from(Model const& m, State const& s) {
   bool const has_settled = settled_ >= 3 && s.stage + 1 == static_cast<int>(m.stages.size());

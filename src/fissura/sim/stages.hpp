@@ -7,6 +7,9 @@
 
 namespace fissura::sim {
 
+/// When the run ends, in the time of its loads, if no stage settles early [s].
+double planned_end(model::Model const& m);
+
 class Stages {
  public:
   explicit Stages(model::Model const& m);

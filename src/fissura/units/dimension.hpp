@@ -36,7 +36,9 @@ struct DimensionInfo {
   std::string_view example;   ///< a value as one writes it: "30 GPa"
   std::string_view si;        ///< the SI unit as UDUNITS reads it
   std::vector<EchoUnit> echo; ///< largest first; the last one takes everything that is left, and zero
-  std::vector<std::string_view> usual; ///< further spellings, for "did you mean"
+  std::vector<std::string_view> usual;  ///< further spellings, for "did you mean"
+  double least_unit = 0, most_unit = 0; ///< smallest and largest unit [SI] that is no slip of the shift key
+  double most = 0; ///< beyond this magnitude [SI] no value is physical, and what follows from it overflows
 };
 
 DimensionInfo const& info(Dimension dimension);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <udunits2.h>
 
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -105,11 +106,45 @@ std::optional<double> proportional_factor(ut_unit* unit, ut_unit* si) {
   return at_1;
 }
 
+/// What UDUNITS reads, but a person reads otherwise: a number inside the unit is a factor to it ("3 ft 2" are
+/// 6 ft, "140 N/m 2" 280 N/m), and a blank after a stroke multiplies ("m/s s" is a metre).
+void refuse_ambiguous(std::string_view unit, Dimension dimension) {
+  if (unit.front() == ',' || unit.front() == '\'' || unit.front() == '_')
+    refuse(fmt::format(
+        "`{}` does not follow a number: write a decimal point, and no marks between thousands; {}", unit,
+        expected(dimension)));
+  for (std::string_view const offset : {"@", "since", "(re"}) // said to be no plain unit, below
+    if (unit.find(offset) != std::string_view::npos) return;
+  auto const digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!digit(unit[i]) || (i > 0 && digit(unit[i - 1]))) continue;
+    bool const reciprocal = i == 0 && unit.starts_with("1/");
+    bool const signed_one = i > 1 && (unit[i - 1] == '-' || unit[i - 1] == '+');
+    char const before = i == 0 ? ' ' : unit[i - (signed_one ? 2 : 1)];
+    bool const exponent = std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '^' ||
+                          before == '*' || before == ')';
+    if (!reciprocal && !exponent)
+      refuse(
+          fmt::format("`{}` has a number inside the unit, which would multiply it; an exponent touches its "
+                      "unit, `m2` or `m^2`; {}",
+                      unit, expected(dimension)));
+  }
+  auto const stroke = unit.find('/');
+  if (stroke != std::string_view::npos && !unit.starts_with("1/") &&
+      unit.find('(') == std::string_view::npos &&
+      trim(unit.substr(stroke + 1)).find_first_of(" \t.*") != std::string_view::npos &&
+      unit.find("**") == std::string_view::npos)
+    refuse(fmt::format(
+        "`{}` can be read in two ways: what follows the stroke would multiply; write e.g. `m/s^2`, "
+        "`N s/m^2`; {}",
+        unit, expected(dimension)));
+  if (unit == "ton" || unit == "tons")
+    refuse("`ton` is 907 kg in one country and 1000 kg or 1016 kg in others; write `t` for 1000 kg, or `lb`");
+}
+
 /// SI units per `unit`, after all checks of its spelling and dimension.
 double factor_of(std::string_view unit, Dimension dimension) {
-  // A millipascal or a megametre in a structural deck is a slip of the shift key, a factor of 1e9.
-  if (unit == "mPa") refuse("`mPa` is a millipascal; did you mean `MPa`?");
-  if (unit == "Mm") refuse("`Mm` is a megametre; did you mean `mm`?");
+  refuse_ambiguous(unit, dimension);
   std::scoped_lock const lock(udunits_mutex());
   auto const hint = same_but_for_case(unit, dimension);
   std::string const cure = hint.empty() ? expected(dimension) : fmt::format("did you mean `{}`?", hint);
@@ -123,6 +158,10 @@ double factor_of(std::string_view unit, Dimension dimension) {
   if (!factor)
     refuse(fmt::format("`{}` is not a plain unit (it has an offset or a logarithm); {}", unit,
                        expected(dimension)));
+  // A millipascal or a megametre in a structural deck is a slip of the shift key, a factor of 1e9.
+  if (*factor < info(dimension).least_unit * (1 - 1e-9) || *factor > info(dimension).most_unit * (1 + 1e-9))
+    refuse(fmt::format("`{}` is {:.3g} {}, no unit for a structure; {}", unit, *factor, info(dimension).si,
+                       cure));
   return *factor;
 }
 
@@ -152,6 +191,10 @@ std::optional<std::string> in_degrees(double value) {
 }
 
 } // namespace
+
+double times(std::string_view number, double factor) {
+  return scaled(number, factor, number);
+}
 
 double to_si(std::string_view text, Dimension dimension) {
   text = trim(text);

@@ -13,6 +13,10 @@ namespace fissura::units {
 /// the place.
 double to_si(std::string_view text, Dimension dimension);
 
+/// number x factor, number being a plain decimal number (units/decimal.hpp): the double nearest to it where
+/// the factor is a power of ten. Throws core::Error where it overflows.
+double times(std::string_view number, double factor);
+
 /// The value in a unit that reads well; to_si(from_si(x, d), d) == x to the last bit for finite x.
 std::string from_si(double value, Dimension dimension);
 

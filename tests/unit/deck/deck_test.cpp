@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -448,6 +449,93 @@ acceleration = {file = "quake.txt", unit = "cm/s2", time_step = "10 ms"}
     EXPECT_EQ(b.time_column, 0);
     EXPECT_EQ(b.acceleration_column, 0);
   }
+}
+
+/// A deck whose motions, force, traction and gravity hold these curves; the files lie beside it.
+std::string with_curves(std::string const& displacement, std::string const& velocity,
+                        std::string const& force, std::string const& traction, std::string const& gravity) {
+  std::string const x1 = "where = {plane = \"x\", at = \"1 m\"}\n";
+  return std::string(small) + "[[motion]]\n" + x1 + "axis = \"x\"\ndisplacement = " + displacement +
+         "\n[[motion]]\n" + x1 + "axis = \"y\"\nvelocity = " + velocity + "\n[[force]]\n" + x1 +
+         "direction = [0, 0, 1]\nforce = " + force + "\n[[traction]]\n" + x1 +
+         "normal = true\ntraction = " + traction + "\n[gravity]\nacceleration = " + gravity + "\n";
+}
+
+// A history in a file is the table of its rows to the last bit, with times or at a constant step, whatever
+// the curve is of; the echo holds the rows and needs the file no more; what was read stands in the notes.
+TEST(Deck, ReadsCurvesFromFiles) {
+  auto const folder =
+      std::filesystem::temp_directory_path() / ("fissura_curve_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "timed.txt") << "time value\n0 0\n0.07 0.1D0\n0.3 -0.7\n";
+  std::ofstream(folder / "spaced.txt") << "NPTS= 4, DT= .07 SEC\n0 0.1 -0.7\n0.3\n";
+  std::string const timed = "{file = \"timed.txt\", unit = \"", spaced = "{file = \"spaced.txt\", unit = \"";
+  auto const files = read_case_text(with_curves(timed + "mm\"}", spaced + "mm/s\", time_step = \"70 ms\"}",
+                                                spaced + "kN\"}", timed + "MPa\", columns = [1, 2]}",
+                                                spaced + "g\", columns = [1], time_step = \"0.5 s\"}"),
+                                    (folder / "case.toml").string());
+  auto const rows = [](std::string const& unit, bool is_timed) {
+    auto const row = [&](char const* t, char const* v) {
+      return "[\"" + std::string(t) + " s\", \"" + v + " " + unit + "\"]";
+    };
+    return is_timed
+               ? "{table = [" + row("0", "0") + ", " + row("0.07", "0.1") + ", " + row("0.3", "-0.7") + "]}"
+               : "{table = [" + row("0", "0") + ", " + row("0.07", "0.1") + ", " + row("0.14", "-0.7") +
+                     ", " + row("0.21", "0.3") + "]}";
+  };
+  auto const tables =
+      read_case_text(with_curves(rows("mm", true), rows("mm/s", false), rows("kN", false), rows("MPa", true),
+                                 "{table = [[\"0 s\", \"0 g\"], [\"0.5 s\", \"0.3 g\"]]}"),
+                     "case.toml");
+  std::filesystem::remove_all(folder);
+  auto const echoed = deck::echo(files);
+  EXPECT_EQ(echoed, deck::echo(tables));
+  EXPECT_EQ(deck::echo(read_case_text(echoed, "/echo.toml")), echoed);
+  EXPECT_EQ(files.motions[0].curve.times, tables.motions[0].curve.times);
+  EXPECT_EQ(files.motions[0].curve.values, tables.motions[0].curve.values);
+  EXPECT_EQ(files.motions[1].curve.times, tables.motions[1].curve.times);
+  EXPECT_EQ(files.forces[0].curve.values, (std::vector<double>{0, 100, -700, 300}));
+  EXPECT_EQ(files.tractions[0].curve.values, (std::vector<double>{0, 0.1e6, -0.7e6}));
+  EXPECT_EQ(files.gravity.curve.values, tables.gravity.curve.values);
+  auto const has = [](std::vector<std::string> const& lines, std::string const& text) {
+    return std::any_of(lines.begin(), lines.end(), [&](auto const& l) { return l.find(text) != l.npos; });
+  };
+  EXPECT_TRUE(has(files.notes,
+                  "`displacement` from \"timed.txt\": 3 values at steps of 0.07 to 0.23 s, 0.3 s, "
+                  "-0.7 mm to 0.1 mm"));
+  EXPECT_TRUE(has(files.notes, "`force` from \"spaced.txt\": 4 values at a step of 0.07 s, 0.21 s"));
+  EXPECT_TRUE(has(files.warnings, "the header names a step of 0.07 s, but `time_step` of the deck is 0.5 s"));
+}
+
+// What is wrong in a curve's file is reported with its place in the file, beside the errors of the deck.
+TEST(Deck, FaultyCurveFiles) {
+  auto const folder =
+      std::filesystem::temp_directory_path() / ("fissura_curves_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "words.txt") << "0 0\n1 one\n";
+  std::ofstream(folder / "early.txt") << "-1 0\n1 1\n";
+  std::ofstream(folder / "long.txt") << [] {
+    std::string text;
+    for (int i = 0; i <= 200000; ++i) text += "0\n";
+    return text;
+  }();
+  auto const said = [&](std::string const& curve) {
+    try {
+      read_case_text(with_curves(curve, "\"0 m/s\"", "\"0 N\"", "\"0 Pa\"", "\"0 g\""),
+                     (folder / "case.toml").string());
+    } catch (core::InputError const& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  auto const has = [](std::string const& text, std::string const& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  has(said("{file = \"words.txt\", unit = \"mm\"}"), "words.txt:2:3: error: `one` is not a finite number");
+  has(said("{file = \"early.txt\", unit = \"mm\"}"), "the times of \"early.txt\" begin at -1 s");
+  has(said("{file = \"long.txt\", unit = \"mm\", time_step = \"1 ms\"}"),
+      "\"long.txt\" has 200001 values; at most 200000 are allowed: thin it out");
+  std::filesystem::remove_all(folder);
 }
 
 // The echo names every default that the deck left unsaid.
