@@ -128,7 +128,9 @@ Model build_model(model::Case const& c, BuildReport& report) {
   mesh::renumber(m.mesh);
   m.adjacency = mesh::make_adjacency(m.mesh);
   report.quality = mesh::measure_quality(m.mesh, m.adjacency);
-  report.warnings = mesh::quality_warnings(report.quality);
+  report.warnings = m.mesh.doubts;
+  for (auto& warning : mesh::quality_warnings(report.quality)) report.warnings.push_back(std::move(warning));
+  report.notes = m.mesh.notes;
   m.material_of_tet = model::assign_materials(c, m.mesh);
   model::make_blocks(m);
 
@@ -146,7 +148,7 @@ Model build_model(model::Case const& c, BuildReport& report) {
   build_rigid(m);
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
-  contact::check_start(m);
+  if (auto warning = contact::check_start(m); !warning.empty()) report.warnings.push_back(std::move(warning));
   choose_step(m, report);
   build_absorbing(m); // after mass scaling
   for (auto& warning : advice(m, report.quality)) report.warnings.push_back(std::move(warning));

@@ -40,11 +40,15 @@ TEST(Start, refuses_bodies_that_stand_in_each_other) {
   } catch (core::InputError const& e) {
     EXPECT_EQ(e.diagnostics.at(0).place.line, 4);
     std::string const what = e.what();
-    for (char const* word : {"overlap at the start", "tets ", "at (0.09", "move them apart"})
+    for (char const* word : {"overlap at the start", "tets ", "by up to 0.00", "at (0.09", "move them apart",
+                             "initial_overlap = \"zero\""})
       EXPECT_NE(what.find(word), std::string::npos) << word << " in: " << what;
   }
+  deep.source.contact.initial_overlap = model::InitialOverlap::zero;
+  EXPECT_NE(check_start(deep).find("start from this overlap, without a force"), std::string::npos);
+  EXPECT_EQ(check_start(two_cubes(0.01)), "");
   deep.source.contact.on = false;
-  EXPECT_NO_THROW(check_start(deep));
+  EXPECT_EQ(check_start(deep), "");
 }
 
 // Requirement: the way that nodes are taken to go until the next look, four steps ahead, twice, is at least
