@@ -102,6 +102,50 @@ MISTAKES = [
     ("A bar as thick as a pipe", 'diameter = "8 mm"', 'diameter = "8 cm"', "warning", "is the unit right?"),
 ]
 
+# The same of meshes from files: title, name and text of the file, what the user wrote, and the answer.
+BLOCKS = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 200, 80, 80};
+Box(2) = {200, 0, 0, 200, 80, 80};
+Coherence;
+Mesh.MeshSizeMin = 40; Mesh.MeshSizeMax = 40;
+"""
+PIN = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 200, 200, 60};
+Cylinder(2) = {100, 100, 0, 0, 0, 60, 40};
+Cylinder(3) = {100, 100, 0, 0, 0, 60, 40};
+BooleanDifference(4) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+MeshSize{ PointsOf{ Volume{4}; } } = 25;
+MeshSize{ PointsOf{ Volume{3}; } } = 14;
+"""
+TETS = """*NODE
+1, 0, 0, 0
+2, 100, 0, 0
+3, 0, 100, 0
+4, 0, 0, 100
+*ELEMENT, TYPE=C3D4, ELSET=concrete
+1, 1, 2, 3, 4
+"""
+MESH_DECK = """mesh = {{file = "{file}", length_unit = "mm", separate = {separate}}}
+concrete = [{{E = "33 GPa", f_t = "2.9 MPa", f_c = "38 MPa"}}]
+support = [{{{where}, fix = ["x", "y", "z"]}}]
+gravity = {{acceleration = {{value = "9.81 m/s2", over = "1 ms"}}}}
+run = {{end_time = "10 ms"}}
+"""
+AT_THE_LEFT = 'where = {plane = "x", at = "0 m"}'
+MESH_MISTAKES = [
+    ("One number for a surface and a volume", "beam.geo", BLOCKS, "Physical Surface(1) = {1};\nPhysical Volume(1) = {1};\nPhysical Volume(2) = {2};",
+     'where = {group = "1"}', "error", 'write "volume:1" or "surface:1"'),
+    ("A volume forgotten in the groups", "beam.geo", BLOCKS, 'Physical Volume("concrete") = {1};', AT_THE_LEFT, "warning",
+     "left out, as gmsh does when it saves"),
+    ("A volume in two groups", "beam.geo", BLOCKS, 'Physical Volume("concrete") = {1, 2};\nPhysical Volume("left") = {1};',
+     AT_THE_LEFT, "error", "physical volumes must not overlap"),
+    ("A pin and its hole, meshed apart", "pin.geo", PIN, 'Physical Volume("block") = {4};\nPhysical Volume("pin") = {3};',
+     AT_THE_LEFT, "error", "the sagitta"),
+    ("Bodies tied in an Abaqus deck", "beam.inp", TETS, "*TIE, NAME=glue\nslave, master", AT_THE_LEFT, "warning", "*TIE is not obeyed"),
+    ("Second-order tetrahedra", "beam.inp", TETS, "*ELEMENT, TYPE=C3D10\n2, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10", AT_THE_LEFT, "error",
+     "linear tetrahedra"),
+]
+
 HEAD = """# Mistakes, and what the program says
 
 <!-- Written by tools/mistakes.py from the program's own output; a test checks that it is current. -->
@@ -111,16 +155,16 @@ warnings are printed by check, by the run, and into its log. Each row changes on
 """
 
 
-def answers(program, deck):
+def answers(program, deck, files=None):
     """The findings of `fissura check`, one per line."""
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "beam.toml"
-        path.write_text(deck, encoding="utf-8")
+        for name, text in {"beam.toml": deck, **(files or {})}.items():
+            (Path(folder) / name).write_text(text, encoding="utf-8")
         done = subprocess.run([program, "check", "beam.toml"], cwd=folder, capture_output=True, text=True, check=False)
     lines = done.stderr.splitlines() if done.returncode else done.stdout.splitlines()
     kind = "error" if done.returncode else "warning"
     told = [line for line in lines if (": error: " in line if kind == "error" else line.startswith("warning"))]
-    return kind, [re.sub(r"^warning\s+", "warning: ", line) for line in told]
+    return kind, [re.sub(r"^warning\s+", "warning: ", line).replace(f"{Path(folder).resolve()}/", "") for line in told]
 
 
 def main():
@@ -141,12 +185,21 @@ def main():
             continue
         shown = new.removesuffix("\ncells") if new else "(left out)"  # that word only tells one place of the deck from another
         text.append(f"\n## {title}\n\n```toml\n{shown}\n```\n\n```\n{fitting[0]}\n```\n")
+    for title, name, before, lines, where, wanted, words in MESH_MISTAKES:
+        deck = MESH_DECK.format(file=name, where=where, separate="true" if name == "pin.geo" else "false")
+        kind, told = answers(program, deck, {name: f"{before}{lines}\n"})
+        fitting = [line for line in told if words in line]
+        if kind != wanted or not fitting:
+            faults.append(f"{title}: expected a {wanted} with \"{words}\", got {kind}: {told}")
+            continue
+        case = "" if where == AT_THE_LEFT else f"\n\n```toml\n{where}\n```"
+        text.append(f"\n## {title}\n\nIn `{name}`:\n\n```\n{lines}\n```{case}\n\n```\n{fitting[0]}\n```\n")
     page = "".join(text)
     if update and not faults:
         PAGE.write_text(page, encoding="utf-8")
     elif not faults and PAGE.read_text(encoding="utf-8") != page:
         faults.append(f"{PAGE} is not what the program says: run tools/mistakes.py PROGRAM --update")
-    print("\n".join(faults) if faults else f"{len(MISTAKES)} mistakes are answered")
+    print("\n".join(faults) if faults else f"{len(MISTAKES) + len(MESH_MISTAKES)} mistakes are answered")
     return 1 if faults else 0
 
 

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   fissura::fuzz::read_within_limit(size, [&] {
     try {
       auto const mesh =
-          fissura::mesh::parse_inp({reinterpret_cast<char const*>(data), size}, "fuzz.inp", 1e-3);
+          fissura::mesh::parse_inp({reinterpret_cast<char const*>(data), size}, "fuzz.inp", 1e-3, 300'000);
       fissura::mesh::check_mesh(mesh);
     } catch (fissura::core::Error const&) {
     }

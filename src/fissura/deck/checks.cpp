@@ -156,7 +156,7 @@ void check_bar_gauge(Reader& reader, model::GaugeSpec const& gauge) {
   check_reference(reader, &gauge, "bar", gauge.bar, names_of_bars(c), "[[bar]]");
   for (auto const* pointer : all_bars(c))
     if (auto const& bar = *pointer;
-        bar.name == gauge.bar && gauge.copy >= bar.count && reader.good(&bar, {"count"}))
+        bar.name == gauge.bar && bar.curve.empty() && gauge.copy >= bar.count && reader.good(&bar, {"count"}))
       reader.error(reader.place(&gauge, "copy"),
                    fmt::format("`copy` = {}: the bar \"{}\" has {} copies, numbered from 0", gauge.copy,
                                bar.name, bar.count));

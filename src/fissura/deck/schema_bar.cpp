@@ -70,7 +70,10 @@ Section bar_section() {
        [](BarSpec const& b) -> Written { return write_points(b.points); })
       .of(Dimension::length)
       .echoed_if([](BarSpec const& b) { return !b.points.empty(); });
-  f.name("curve", &BarSpec::curve, "Instead of points: a curve group of the mesh file.");
+  f.name("curve", &BarSpec::curve,
+         "Instead of points: a curve group of the mesh file. Each of its lines, a chain or a loop, is a bar; "
+         "copy number k is "
+         "line k mod lines, moved k / lines times by `spacing`.");
   f.flag("closed", &BarSpec::closed, "Joins the last point to the first.");
   f.integer("count", &BarSpec::count, "Number of equal bars.").range({1, 10000});
   f.point("spacing", &BarSpec::spacing, "Offset from one to the next; needed with `count`.");

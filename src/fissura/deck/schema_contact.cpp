@@ -19,6 +19,11 @@ Section contact_section() {
       .not_negative()
       .default_is("the smaller `friction` of the two concretes")
       .echoed_if([](ContactSpec const& c) { return c.friction >= 0; });
+  f.word("initial_overlap", &ContactSpec::initial_overlap,
+         {{"refuse", model::InitialOverlap::refuse}, {"zero", model::InitialOverlap::zero}},
+         "Bodies that overlap at the start by more than a thousandth of a tet: `refuse` them, or take that "
+         "overlap as "
+         "the `zero` of the springs between them, for curved bodies that were meshed apart.");
   return s;
 }
 

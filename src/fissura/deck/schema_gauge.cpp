@@ -129,7 +129,9 @@ Section gauge_section() {
       "(`contact_force`, "
       "`contact_impulse`): their sum is read. `impactor_displacement`, `impactor_velocity`: one impactor.");
   f.name("bar", &GaugeSpec::bar, "Name of the bar.");
-  f.integer("copy", &GaugeSpec::copy, "Which of its `count` copies, from 0.").echoed_if(if_used("copy"));
+  f.integer("copy", &GaugeSpec::copy,
+            "Which of its copies, from 0: `count` of them, for each line of its `curve`.")
+      .echoed_if(if_used("copy"));
   f.custom("quantity", listed(bar_quantities),
            "What is read: of the bar element, or of the bar joint, next to `at`.", read_bar_quantity,
            [](GaugeSpec const& g) -> Written { return write_text(g.quantity); })

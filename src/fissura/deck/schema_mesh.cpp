@@ -64,7 +64,7 @@ Section mesh_section() {
   Fields<MeshSpec> f(s.keys);
   f.text("file", &MeshSpec::file,
          "A gmsh mesh (.msh 2.2 or 4.1) or geometry (.geo), or an Abaqus or CalculiX mesh (.inp: C3D4, T3D2, "
-         "sets), "
+         "sets, parts and instances), "
          "relative to the folder of the deck. The echo names it by its full path.")
       .default_is("none: boxes")
       .echoed_if(has_file);

@@ -76,8 +76,10 @@ Shape make_shape() {
      return "true";
    }).echoed_if(of(Kind::all));
   f.custom("group", "a name",
-           "A volume, surface, curve or point group of the mesh; a box gives its volume group.", read_group,
-           [](Selector const& s) -> Written { return write_text(s.group); })
+           "A volume, surface, curve or point group of the mesh; a box gives its volume group. Where groups "
+           "of several "
+           "kinds share the name, `volume:`, `surface:`, `curve:` or `point:` before it says which.",
+           read_group, [](Selector const& s) -> Written { return write_text(s.group); })
       .echoed_if(of(Kind::group));
   f.custom("plane", "`x`, `y` or `z`", "The plane normal to this axis, with `at`.", read_plane,
            [](Selector const& s) -> Written { return write_axis(s.axis); })

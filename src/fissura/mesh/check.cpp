@@ -144,7 +144,8 @@ void check_duplicates(Mesh const& m, Findings& findings) {
     if (keys[i].points == keys[i - 1].points)
       cases.add(fmt::format("tets {} and {} at {}", number_of(m, keys[i - 1].tet), number_of(m, keys[i].tet),
                             at(geometry::centroid(corners(m, keys[i].tet)))));
-  findings.add(cases, "duplicate tets");
+  findings.add(cases, "tets stand twice: a volume in two physical groups? (The .msh format 2.2 repeats its "
+                      "elements for each of them.) Duplicate tets");
 }
 
 /// Across a shared face the fourth corner of the second tet must lie outside the first.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -12,6 +13,7 @@
 
 #include "fissura/core/ensure.hpp"
 #include "fissura/geometry/tet.hpp"
+#include "fissura/mesh/gmsh_names.hpp"
 #include "fissura/mesh/gmsh_session.hpp"
 #include "fissura/mesh/msh_reader.hpp"
 #include "fissura/mesh/renumber.hpp"
@@ -108,10 +110,10 @@ void check_statements(fs::path const& path, std::string const& geo) {
 
 // ---- out of gmsh --------------------------------------------------------------------------------
 
-/// What gmsh holds, on its way into a Mesh.
+/// What gmsh holds, on its way into a Mesh: what it would save.
 struct Import {
   fs::path const& path;
-  double unit;
+  double unit; ///< metres per unit of gmsh's own coordinates
   Mesh mesh;
   Tags node_tags; ///< sorted; the rank of a tag is the point's index
 
@@ -190,11 +192,56 @@ int volume_group(Import& import, int entity) {
   return static_cast<int>(std::find(groups.begin(), groups.end(), name) - groups.begin());
 }
 
+double option(char const* name) {
+  double value = 0;
+  gmsh::option::getNumber(name, value);
+  return value;
+}
+
+/// Whether gmsh would save entities in no physical group: it does when asked to, and when there is no group.
+bool saves_all() {
+  gmsh::vectorpair physicals;
+  gmsh::model::getPhysicalGroups(physicals);
+  return physicals.empty() || option("Mesh.SaveAll") != 0;
+}
+
+bool is_in_a_group(int volume) {
+  std::vector<int> physicals;
+  gmsh::model::getPhysicalGroupsForEntity(3, volume, physicals);
+  return !physicals.empty();
+}
+
+std::size_t tets_of(int volume) {
+  Tags tags, nodes;
+  gmsh::model::mesh::getElementsByType(tet_4, tags, nodes, volume);
+  return tags.size();
+}
+
+void note_volumes_left_out(Import& import, std::vector<int> const& volumes, std::size_t tets) {
+  if (volumes.empty()) return;
+  std::string list;
+  for (std::size_t i = 0; i < volumes.size() && i < 5; ++i)
+    list += fmt::format("{}{}", i > 0 ? ", " : "", volumes[i]);
+  import.mesh.doubts.push_back(fmt::format(
+      "{}: left out, as gmsh does when it saves: volume{} {}{} ({} tets), in no physical group; name {} "
+      "in a Physical Volume, or set Mesh.SaveAll = 1",
+      import.path.string(), volumes.size() > 1 ? "s" : "", list, volumes.size() > 5 ? ", ..." : "", tets,
+      volumes.size() > 1 ? "them" : "it"));
+}
+
 void import_tets(Import& import) {
   Mesh& m = import.mesh;
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
+  bool const all = saves_all();
+  std::vector<int> left_out;
+  std::size_t tets_left_out = 0;
   for (auto const& [dimension, entity] : volumes) {
+    if (!all && !is_in_a_group(entity)) {
+      left_out.push_back(entity);
+      tets_left_out += tets_of(entity);
+      continue;
+    }
     auto const found = elements_of(import, 3, entity, tet_4, fmt::format("volume {}", entity));
     if (found.tags.empty()) continue;
     int const group = volume_group(import, entity);
@@ -209,6 +256,11 @@ void import_tets(Import& import) {
           static_cast<int>(std::min<std::size_t>(found.tags[i], std::numeric_limits<int>::max())));
     }
   }
+  if (m.tets.empty() && tets_left_out > 0)
+    refuse(import.path,
+           "the geometry has physical groups, but none of its volumes is in one: gmsh saves no tets of "
+           "it; name a Physical Volume, or set Mesh.SaveAll = 1");
+  note_volumes_left_out(import, left_out, tets_left_out);
 }
 
 /// The group of a name, made when first met: two physical groups of one name and dimension are one group.
@@ -263,6 +315,7 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
   if (!is_geometry) {
     Mesh mesh = parse_msh(text, path.string(), length_unit);
     drop_unused_points(mesh);
+    add_names_of_numbers(mesh);
     return mesh;
   }
   check_statements(path, text);
@@ -271,9 +324,13 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
   GmshSession const session(path);
   session.guard([&] {
     gmsh::open(path.string());
+    double const scaling = option("Mesh.ScalingFactor");
+    if (!(std::abs(scaling) > 0))
+      refuse(path, fmt::format("Mesh.ScalingFactor = {:g}: it must not be zero", scaling));
+    import.unit = length_unit * scaling;
     if (element_size > 0) {
-      gmsh::option::setNumber("Mesh.MeshSizeMin", element_size / length_unit);
-      gmsh::option::setNumber("Mesh.MeshSizeMax", element_size / length_unit);
+      gmsh::option::setNumber("Mesh.MeshSizeMin", element_size / std::abs(import.unit));
+      gmsh::option::setNumber("Mesh.MeshSizeMax", element_size / std::abs(import.unit));
     }
     gmsh::model::mesh::generate(3);
     import_nodes(import);
@@ -282,6 +339,7 @@ Mesh read_gmsh(fs::path const& path, double length_unit, double element_size) {
   });
   if (import.mesh.tets.empty()) refuse(path, "the geometry has no volume, so its mesh has no tets");
   drop_unused_points(import.mesh);
+  add_names_of_numbers(import.mesh);
   return std::move(import.mesh);
 }
 

@@ -29,6 +29,20 @@ struct PointGroup {
   std::vector<int> points;
 };
 
+/// A named set of tets that is no volume group: tets may be in several of them.
+struct TetSet {
+  std::string name;
+  std::vector<int> tets; ///< ascending
+};
+/// One more name of groups of one dimension. They make up together what the name stands for; or it is the name of
+/// each of them, and nobody can say which is meant.
+struct GroupAlias {
+  std::string name;
+  int dimension = 0;               ///< 0 ... 3: points, curves, surfaces, volumes
+  std::vector<std::string> groups; ///< by their own names
+  bool is_ambiguous = false;
+};
+
 struct Mesh {
   std::vector<Vec3> points;                  ///< reference positions [m]
   std::vector<std::array<int, 4>> tets;      ///< point indices, positive volume
@@ -38,7 +52,10 @@ struct Mesh {
   std::vector<FaceGroup> face_groups;
   std::vector<LineGroup> line_groups;
   std::vector<PointGroup> point_groups;
+  std::vector<TetSet> tet_sets;
+  std::vector<GroupAlias> aliases;
   std::vector<int> input_id;                 ///< per tet: its number in the input, before renumbering
+  std::vector<std::string> notes, doubts;    ///< what the reader left out, and what of it may be missed
 };
 
 /// One side of a tet.

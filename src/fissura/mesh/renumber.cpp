@@ -90,6 +90,18 @@ template <class T> void reorder(std::vector<T>& values, std::vector<int> const& 
   values = std::move(moved);
 }
 
+/// order[k] is the former number of tet k.
+void follow_tets(std::vector<TetSet>& sets, std::vector<int> const& order) {
+  if (sets.empty()) return;
+  std::vector<int> now(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    now[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  for (auto& set : sets) {
+    for (int& t : set.tets) t = now[static_cast<std::size_t>(t)];
+    std::sort(set.tets.begin(), set.tets.end());
+  }
+}
+
 } // namespace
 
 std::uint64_t hilbert_index(std::array<std::uint32_t, 3> cell, int bits) {
@@ -119,6 +131,7 @@ void renumber(Mesh& mesh) {
   reorder(mesh.tet_group, order);
   if (!mesh.tet_body.empty()) reorder(mesh.tet_body, order);
   reorder(mesh.input_id, order);
+  follow_tets(mesh.tet_sets, order);
   std::vector<int> number(mesh.points.size(), -1);
   int count = 0;
   auto const use = [&](int p) {

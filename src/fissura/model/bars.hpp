@@ -21,7 +21,7 @@ struct BarProperties {
   double initial_strain = 0; ///< eps_0 [-]
   CrackSpacing crack_spacing = CrackSpacing::automatic;
   double l_cr = 0; ///< [m] for CrackSpacing::given
-  int copies = 1;
+  int copies = 1; ///< `count` for each line of its curve
 };
 
 /// The straight piece of a bar inside one tet. Its ends P_0 and P_1 are carried by the tet: x = sum w_k x_k.
@@ -34,7 +34,7 @@ struct BarElement {
   double start = 0;                 ///< arc length of P_0 from the start of the bar [m]
   int joint0 = -1, joint1 = -1;     ///< bar joint at P_0 and P_1, or -1
   int bar = -1;                     ///< index into Bars::properties
-  int copy = 0;                     ///< 0 .. count - 1
+  int copy = 0;                     ///< 0 .. copies - 1
 };
 
 /// A face that the bar crosses at a bar joint (one of the faces C).

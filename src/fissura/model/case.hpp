@@ -280,8 +280,13 @@ struct InitialVelocitySpec {
 };
 
 // ---- contact ----------------------------------------------------------------------------------------------
+enum class InitialOverlap {
+  refuse,
+  zero ///< what overlaps at the start is where the spring of contact begins
+};
 struct ContactSpec {
   bool on = true;
+  InitialOverlap initial_overlap = InitialOverlap::refuse;
   Place place;
   double friction = -1; ///< mu between bodies and fragments; < 0: the smaller one of the two concretes
 };

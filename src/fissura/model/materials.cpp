@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "fissura/core/text.hpp"
+#include "fissura/mesh/groups.hpp"
 #include "fissura/model/make_blocks.hpp"
 
 namespace fissura::model {
@@ -14,6 +15,20 @@ double default_fracture_energy(double f_c) {
 double default_cohesion(double f_c, double friction_angle) {
   return f_c * (1 - std::sin(friction_angle)) / (2 * std::cos(friction_angle));
 }
+
+namespace {
+
+std::string no_volume_group(mesh::Mesh const& mesh, std::string const& name) {
+  if (!mesh::tets_named(mesh, name, {}).empty())
+    return fmt::format(
+        "`{}` is a set of tets across the materials of the mesh file, so no material here; the "
+        "volume groups are: {}",
+        name, core::joined(mesh.volume_groups, ", "));
+  return fmt::format("the mesh has no volume group `{}`; it has: {}", name,
+                     core::joined(mesh.volume_groups, ", "));
+}
+
+} // namespace
 
 std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh) {
   std::vector<core::Diagnostic> wrong;
@@ -29,17 +44,17 @@ std::vector<int> assign_materials(Case const& c, mesh::Mesh const& mesh) {
       catch_all = static_cast<int>(i);
     }
     for (auto const& name : concrete.groups) {
-      auto const found = std::find(mesh.volume_groups.begin(), mesh.volume_groups.end(), name);
-      if (found == mesh.volume_groups.end()) {
-        wrong.push_back({concrete.place, fmt::format("the mesh has no volume group `{}`; it has: {}", name,
-                                                     core::joined(mesh.volume_groups, ", "))});
-        continue;
+      auto const found = mesh::groups_named(mesh, 3, name, concrete.place);
+      if (found.empty()) wrong.push_back({concrete.place, no_volume_group(mesh, name)});
+      for (int const g : found) {
+        int& owner = concrete_of_group[static_cast<std::size_t>(g)];
+        if (owner >= 0)
+          wrong.push_back(
+              {concrete.place,
+               fmt::format("volume group `{}` already belongs to [[concrete]] `{}`",
+                           mesh.volume_groups[static_cast<std::size_t>(g)], c.concretes[owner].name)});
+        owner = static_cast<int>(i);
       }
-      int& owner = concrete_of_group[static_cast<std::size_t>(found - mesh.volume_groups.begin())];
-      if (owner >= 0)
-        wrong.push_back({concrete.place, fmt::format("volume group `{}` already belongs to [[concrete]] `{}`",
-                                                     name, c.concretes[owner].name)});
-      owner = static_cast<int>(i);
     }
   }
   for (std::size_t g = 0; g < concrete_of_group.size(); ++g) {

@@ -12,6 +12,7 @@
 #include "fissura/geometry/clip.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/faces.hpp"
+#include "fissura/mesh/groups.hpp"
 #include "fissura/mesh/merge.hpp"
 
 namespace fissura::model {
@@ -89,22 +90,16 @@ std::size_t edit_distance(std::string const& a, std::string const& b) {
 
 // ---- groups -------------------------------------------------------------------------------------
 
-/// Indices of the groups a name stands for, by kind; -1 where there is none.
+/// What a name stands for, by kind: indices of groups, and tets for the volumes.
 struct Found {
-  int volume = -1, surface = -1, curve = -1, point = -1;
+  std::vector<int> tets, surfaces, curves, points;
+  bool none() const { return tets.empty() && surfaces.empty() && curves.empty() && points.empty(); }
 };
 
-template <class Groups> int find_name(Groups const& groups, std::string const& name) {
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    if (groups[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
 [[noreturn]] void refuse_unknown(Mesh const& m, Selector const& s) {
-  std::vector<std::string> names = m.volume_groups;
-  for (auto const& g : m.face_groups) names.push_back(g.name);
-  for (auto const& g : m.line_groups) names.push_back(g.name);
-  for (auto const& g : m.point_groups) names.push_back(g.name);
+  std::vector<std::string> names;
+  for (int const dimension : {3, 2, 1, 0})
+    for (auto& name : mesh::names_of_groups(m, dimension)) names.push_back(std::move(name));
   auto const nearest = std::min_element(names.begin(), names.end(), [&](auto const& a, auto const& b) {
     return edit_distance(a, s.group) < edit_distance(b, s.group);
   });
@@ -116,12 +111,11 @@ template <class Groups> int find_name(Groups const& groups, std::string const& n
 
 Found find_group(Mesh const& m, Selector const& s) {
   Found f;
-  auto const volume = std::find(m.volume_groups.begin(), m.volume_groups.end(), s.group);
-  if (volume != m.volume_groups.end()) f.volume = static_cast<int>(volume - m.volume_groups.begin());
-  f.surface = find_name(m.face_groups, s.group);
-  f.curve = find_name(m.line_groups, s.group);
-  f.point = find_name(m.point_groups, s.group);
-  if (f.volume < 0 && f.surface < 0 && f.curve < 0 && f.point < 0) refuse_unknown(m, s);
+  f.tets = mesh::tets_named(m, s.group, s.place);
+  f.surfaces = mesh::groups_named(m, 2, s.group, s.place);
+  f.curves = mesh::groups_named(m, 1, s.group, s.place);
+  f.points = mesh::groups_named(m, 0, s.group, s.place);
+  if (f.none()) refuse_unknown(m, s);
   return f;
 }
 
@@ -132,23 +126,63 @@ Found find_group(Mesh const& m, Selector const& s) {
                                      s.group, what));
 }
 
-std::vector<char> points_of_group(Mesh const& m, Selector const& s) {
-  std::vector<char> chosen(m.points.size(), 0);
-  auto const choose = [&](auto const& items) {
-    for (int p : items) chosen[p] = 1;
-  };
-  Found const f = find_group(m, s);
-  if (f.volume >= 0) {
-    for (std::size_t t = 0; t < m.tets.size(); ++t)
-      if (m.tet_group[t] == f.volume) choose(m.tets[t]);
-  } else if (f.surface >= 0) {
-    for (auto const& t : m.face_groups[f.surface].triangles) choose(t);
-  } else if (f.curve >= 0) {
-    for (auto const& l : m.line_groups[f.curve].segments) choose(l);
-  } else {
-    choose(m.point_groups[f.point].points);
+/// What a group of one kind selects.
+struct Meaning {
+  int dimension;
+  std::vector<int> chosen; ///< ascending
+};
+
+/// The one thing that all meanings of a name select; a name with different ones is refused.
+std::vector<int> only_meaning(std::vector<Meaning> meanings, Selector const& s, std::string const& what) {
+  auto const selects = [](Meaning const& k) { return !k.chosen.empty(); };
+  if (std::any_of(meanings.begin(), meanings.end(), selects)) // bars of a set have no nodes of tets
+    std::erase_if(meanings, [&](Meaning const& k) { return !selects(k); });
+  auto& first = meanings.front();
+  for (auto const& other : meanings) {
+    if (other.chosen == first.chosen) continue;
+    auto const kind = [](Meaning const& k) {
+      return mesh::kinds_of_groups[static_cast<std::size_t>(k.dimension)];
+    };
+    throw core::InputError(
+        s.place,
+        fmt::format("the name '{0}' stands for a {1} group ({3} {5}) and a {2} group ({4} {5}) of "
+                    "the mesh: write \"{1}:{0}\" or \"{2}:{0}\"",
+                    s.group, kind(first), kind(other), first.chosen.size(), other.chosen.size(), what));
   }
-  return chosen;
+  return std::move(first.chosen);
+}
+
+/// Points of tets in the groups of a name.
+std::vector<int> points_of_group(Mesh const& m, Selector const& s, std::vector<char> const& used) {
+  Found const f = find_group(m, s);
+  std::vector<Meaning> meanings;
+  auto const add = [&](int dimension, std::vector<int> const& groups, auto const& choose_from) {
+    if (groups.empty()) return;
+    std::vector<char> chosen(m.points.size(), 0);
+    for (int const g : groups)
+      choose_from(g, [&](auto const& item) {
+        for (int const p : item) chosen[p] = 1;
+      });
+    meanings.push_back({dimension, {}});
+    for (int p = 0; p < static_cast<int>(chosen.size()); ++p)
+      if (chosen[p] && used[p]) meanings.back().chosen.push_back(p);
+  };
+  add(3, f.tets, [&](int t, auto const& choose) { choose(m.tets[t]); });
+  add(2, f.surfaces, [&](int g, auto const& choose) {
+    for (auto const& t : m.face_groups[g].triangles) choose(t);
+  });
+  add(1, f.curves, [&](int g, auto const& choose) {
+    for (auto const& l : m.line_groups[g].segments) choose(l);
+  });
+  add(0, f.points, [&](int g, auto const& choose) { choose(m.point_groups[g].points); });
+  return only_meaning(std::move(meanings), s, "nodes");
+}
+
+/// Per tet whether it is in the list.
+std::vector<char> marked(Mesh const& m, std::vector<int> const& tets) {
+  std::vector<char> mark(m.tets.size(), 0);
+  for (int const t : tets) mark[t] = 1;
+  return mark;
 }
 
 // ---- places -------------------------------------------------------------------------------------
@@ -183,59 +217,82 @@ std::vector<int> non_empty(std::vector<int> chosen, Mesh const& m, Selector cons
   return chosen;
 }
 
-/// The boundary faces that are the triangles of a surface group.
-std::vector<TetFace> faces_of_surface(Mesh const& m, mesh::Adjacency const& adjacency,
-                                      mesh::FaceGroup const& group, Selector const& s) {
+/// The boundary faces that are triangles of surface groups, as 4 x tet + face, and how many triangles are
+/// not.
+struct OuterFaces {
+  std::vector<int> faces;
+  std::size_t inner = 0, triangles = 0;
+};
+OuterFaces faces_of_surfaces(Mesh const& m, mesh::Adjacency const& adjacency,
+                             std::vector<int> const& groups) {
   mesh::FaceFinder const finder(m);
-  std::vector<TetFace> faces;
-  std::size_t inner = 0;
-  for (auto const& t : group.triangles) {
-    auto const sides = finder.find(t);
-    if (sides.size() == 1 && adjacency.shared_of_tet[sides[0].tet][sides[0].face] < 0)
-      faces.push_back(sides[0]);
-    else
-      ++inner;
+  OuterFaces found;
+  for (int const g : groups) {
+    for (auto const& t : m.face_groups[g].triangles) {
+      auto const sides = finder.find(t);
+      if (sides.size() == 1 && adjacency.shared_of_tet[sides[0].tet][sides[0].face] < 0)
+        found.faces.push_back(4 * sides[0].tet + sides[0].face);
+      else
+        ++found.inner;
+    }
+    found.triangles += m.face_groups[g].triangles.size();
   }
-  if (inner > 0)
-    throw core::InputError(s.place,
-                           fmt::format("{} of the {} triangles of group '{}' are not on the boundary of the "
-                                       "body; faces to load must be outer ones",
-                                       inner, group.triangles.size(), s.group));
-  std::sort(faces.begin(), faces.end(),
-            [](TetFace a, TetFace b) { return a.tet != b.tet ? a.tet < b.tet : a.face < b.face; });
-  return faces;
+  std::sort(found.faces.begin(), found.faces.end());
+  return found;
 }
 
 /// Boundary faces by the group's tets or triangles.
 std::vector<TetFace> faces_of_group(Mesh const& m, mesh::Adjacency const& adjacency, Selector const& s) {
   Found const f = find_group(m, s);
-  if (f.volume < 0 && f.surface < 0) refuse_kind(s, "faces");
-  if (f.volume < 0) return faces_of_surface(m, adjacency, m.face_groups[f.surface], s);
+  if (f.tets.empty() && f.surfaces.empty()) refuse_kind(s, "faces");
+  std::vector<Meaning> meanings;
+  if (!f.tets.empty()) {
+    auto const mine = marked(m, f.tets);
+    meanings.push_back({3, {}});
+    for (TetFace const b : adjacency.boundary)
+      if (mine[b.tet]) meanings.back().chosen.push_back(4 * b.tet + b.face);
+  }
+  std::size_t inner = 0, triangles = 0;
+  if (!f.surfaces.empty()) {
+    auto found = faces_of_surfaces(m, adjacency, f.surfaces);
+    inner = found.inner, triangles = found.triangles;
+    meanings.push_back({2, std::move(found.faces)});
+  }
+  auto const chosen = only_meaning(std::move(meanings), s, "outer faces");
+  if (inner > 0)
+    throw core::InputError(s.place,
+                           fmt::format("{} of the {} triangles of group '{}' are not on the boundary of the "
+                                       "body; faces to load must be outer ones",
+                                       inner, triangles, s.group));
   std::vector<TetFace> faces;
-  for (TetFace const b : adjacency.boundary)
-    if (m.tet_group[b.tet] == f.volume) faces.push_back(b);
+  for (int const c : chosen) faces.push_back({c / 4, c % 4});
   return faces;
 }
 
 std::vector<int> shared_of_group(Mesh const& m, mesh::Adjacency const& adjacency, Selector const& s) {
   Found const f = find_group(m, s);
-  if (f.volume < 0 && f.surface < 0) refuse_kind(s, "joints");
-  std::vector<int> chosen;
-  if (f.volume >= 0) {
-    for (int i = 0; i < static_cast<int>(adjacency.shared.size()); ++i) {
-      auto const& shared = adjacency.shared[i];
-      if (m.tet_group[shared.a.tet] == f.volume || m.tet_group[shared.b.tet] == f.volume) chosen.push_back(i);
-    }
-    return chosen;
+  if (f.tets.empty() && f.surfaces.empty()) refuse_kind(s, "joints");
+  std::vector<Meaning> meanings;
+  if (!f.tets.empty()) {
+    auto const mine = marked(m, f.tets);
+    meanings.push_back({3, {}});
+    for (int i = 0; i < static_cast<int>(adjacency.shared.size()); ++i)
+      if (mine[adjacency.shared[i].a.tet] || mine[adjacency.shared[i].b.tet])
+        meanings.back().chosen.push_back(i);
   }
-  mesh::FaceFinder const finder(m);
-  for (auto const& t : m.face_groups[f.surface].triangles)
-    for (TetFace const side : finder.find(t))
-      if (int const shared = adjacency.shared_of_tet[side.tet][side.face]; shared >= 0)
-        chosen.push_back(shared);
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  return chosen;
+  if (!f.surfaces.empty()) {
+    mesh::FaceFinder const finder(m);
+    meanings.push_back({2, {}});
+    auto& chosen = meanings.back().chosen;
+    for (int const g : f.surfaces)
+      for (auto const& t : m.face_groups[g].triangles)
+        for (TetFace const side : finder.find(t))
+          if (int const shared = adjacency.shared_of_tet[side.tet][side.face]; shared >= 0)
+            chosen.push_back(shared);
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  }
+  return only_meaning(std::move(meanings), s, "joints");
 }
 
 } // namespace
@@ -270,9 +327,7 @@ std::vector<int> select_points(Mesh const& m, Selector const& s) {
   auto const used = mesh::points_of_tets(m);
   std::vector<int> chosen;
   if (s.kind == Kind::group) {
-    auto const in_group = points_of_group(m, s);
-    for (int p = 0; p < static_cast<int>(used.size()); ++p)
-      if (used[p] && in_group[p]) chosen.push_back(p);
+    chosen = points_of_group(m, s, used);
   } else {
     chosen = select_places(
         m, s, m.points.size(), [&](int p) { return used[p] != 0; }, [&](int p) { return m.points[p]; });
@@ -302,12 +357,9 @@ std::vector<int> select_tets(Mesh const& m, Selector const& s) {
     auto const centroid = [&](int t) { return geometry::centroid(mesh::corners(m, t)); };
     return non_empty(select_places(m, s, m.tets.size(), always, centroid), m, s, "tet");
   }
-  Found const f = find_group(m, s);
-  if (f.volume < 0)
+  auto chosen = find_group(m, s).tets;
+  if (chosen.empty())
     throw core::InputError(s.place, fmt::format("group '{}' has no tets: name a volume group", s.group));
-  std::vector<int> chosen;
-  for (int t = 0; t < static_cast<int>(m.tets.size()); ++t)
-    if (m.tet_group[t] == f.volume) chosen.push_back(t);
   return non_empty(std::move(chosen), m, s, "tet");
 }
 
@@ -317,6 +369,10 @@ std::vector<int> select_shared_faces(Mesh const& m, mesh::Adjacency const& adjac
     return geometry::centroid(mesh::face_triangle(m, adjacency.shared[i].a));
   };
   return non_empty(select_places(m, s, adjacency.shared.size(), always, centroid), m, s, "joint");
+}
+
+bool names_tets(Mesh const& m, Selector const& s) {
+  return s.kind == Kind::group && !mesh::tets_named(m, s.group, s.place).empty();
 }
 
 } // namespace fissura::model

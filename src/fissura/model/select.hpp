@@ -2,7 +2,8 @@
 // Turns a Selector of the deck into points, faces, tets and joints of the mesh. Each function gives its
 // result in rising order and throws core::InputError at selector.place for an unknown group and for an empty
 // result, with the names there are or the extent of the model as help. A name carried by groups of several
-// kinds means, among the kinds that fit, the one of the highest dimension.
+// kinds that fit is refused where they select different things; "surface:name" and its like say which is
+// meant (mesh/groups.hpp).
 #include <vector>
 
 #include "fissura/mesh/mesh.hpp"
@@ -37,5 +38,8 @@ std::vector<int> select_tets(mesh::Mesh const& mesh, Selector const& selector);
 /// nearest centroid.
 std::vector<int> select_shared_faces(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency,
                                      Selector const& selector);
+
+/// Whether the selector names a group of tets.
+bool names_tets(mesh::Mesh const& mesh, Selector const& selector);
 
 } // namespace fissura::model

@@ -34,7 +34,6 @@ model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::S
   p.initial_strain = bar.initial_strain;
   p.crack_spacing = bar.crack_spacing;
   p.l_cr = bar.l_cr;
-  p.copies = bar.count;
   return p;
 }
 
@@ -246,10 +245,12 @@ Embedding embed_bars(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency,
     out.bars.properties.push_back(properties_of(spec, steels));
     BarReport report;
     report.name = spec.name;
-    report.copies = spec.count;
+    auto const axes = axes_of(spec, mesh);
+    int const lines = static_cast<int>(axes.size());
+    out.bars.properties.back().copies = report.copies = spec.count * lines;
     report.shortest = std::numeric_limits<double>::infinity();
-    for (int copy = 0; copy < spec.count; ++copy) {
-      Polyline const line = polyline_of(spec, mesh, copy);
+    for (int copy = 0; copy < report.copies; ++copy) {
+      Polyline const line = polyline_of(spec, axes[static_cast<std::size_t>(copy % lines)], copy / lines);
       Chain const raw = trace(context, line, spec.name, spec.place);
       Chain chain = merge_short(mesh, raw);
       snap_to_kinks(mesh, line, chain);

@@ -12,7 +12,8 @@
 
 namespace fissura::rebar {
 
-/// What became of one BarSpec, all its copies together.
+/// What became of one BarSpec, all its copies together. A curve of several lines has so many copies more:
+/// copy number k is line k mod lines, moved k / lines times.
 struct BarReport {
   std::string name;
   int copies = 0;

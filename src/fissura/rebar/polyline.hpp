@@ -21,14 +21,17 @@ struct Polyline {
   int segment_at(double s) const;
 };
 
-/// The points of a line group of the mesh in the order in which they follow each other, starting at the end
-/// that comes first in the group; a closed loop repeats its first point. Throws core::InputError where the
-/// group branches or falls into several lines.
-std::vector<Vec3> ordered_points(mesh::Mesh const& mesh, mesh::LineGroup const& group,
-                                 core::Place const& place);
+/// The lines that a group of the mesh consists of, each as its points in the order in which they follow each
+/// other. Lines come in the order of their first segments; each starts at the end that comes first in the
+/// group, and a closed loop repeats its first point. Throws core::InputError where a line branches.
+std::vector<std::vector<Vec3>> ordered_lines(mesh::Mesh const& mesh, mesh::LineGroup const& group,
+                                             core::Place const& place);
 
-/// The axis of copy number `copy` of a bar (its points or its curve, moved by copy x spacing). Throws
-/// core::InputError at bar.place where the curve does not exist or the axis has no length.
-Polyline polyline_of(model::BarSpec const& bar, mesh::Mesh const& mesh, int copy);
+/// The axes of a bar: its points, or the lines of its curve. Throws core::InputError at bar.place where the
+/// curve does not exist.
+std::vector<std::vector<Vec3>> axes_of(model::BarSpec const& bar, mesh::Mesh const& mesh);
+
+/// An axis of a bar, moved by shift x spacing. Throws core::InputError at bar.place where it has no length.
+Polyline polyline_of(model::BarSpec const& bar, std::vector<Vec3> points, int shift);
 
 } // namespace fissura::rebar

@@ -144,6 +144,8 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   m.adjacency = mesh::make_adjacency(m.mesh);
   report.quality = mesh::measure_quality(m.mesh, m.adjacency);
   report.notes = c.notes, report.warnings = c.warnings;
+  for (auto const& note : m.mesh.notes) report.notes.push_back(note);
+  for (auto const& doubt : m.mesh.doubts) report.warnings.push_back(doubt);
   for (auto& warning : mesh::quality_warnings(report.quality)) report.warnings.push_back(std::move(warning));
   m.material_of_tet = model::assign_materials(c, m.mesh);
   model::make_blocks(m);
@@ -165,7 +167,7 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   build_rigid(m);
   contact::check_rigid_start(m);
   for (auto& warning : contact::rigid_warnings(m)) report.warnings.push_back(std::move(warning));
-  contact::check_start(m);
+  if (auto warning = contact::check_start(m); !warning.empty()) report.warnings.push_back(std::move(warning));
   pause();
   choose_step(m, report);
   pause();

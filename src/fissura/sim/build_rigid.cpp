@@ -60,8 +60,9 @@ RigidBody impactor(model::ImpactorSpec const& s) {
 bool picks_nodes(Model const& m, model::Selector const& s) {
   using Kind = model::Selector::Kind;
   if (s.kind != Kind::group) return s.kind == Kind::plane || s.kind == Kind::point || s.kind == Kind::line;
-  auto const& volumes = m.mesh.volume_groups;
-  return std::find(volumes.begin(), volumes.end(), s.group) == volumes.end();
+  if (!model::names_tets(m.mesh, s)) return true;
+  model::select_points(m.mesh, s); // refuses a name that also stands for other points
+  return false;
 }
 
 /// Nodes of the tets picked; a plane, point or line picks the nodes on it.

@@ -117,13 +117,14 @@ TEST(CheckMesh, repeated_corner) {
   expect_refusal(m, {"tets without volume", "tet 11"});
 }
 
-// Requirement: a tet listed twice is refused with both numbers.
+// Requirement: a tet listed twice is refused with both numbers and the usual reason.
 TEST(CheckMesh, duplicate_tet) {
   Mesh m = two_tets();
   m.tets.push_back({1, 2, 0, 3});
   m.tet_group.push_back(0);
   m.input_id.push_back(13);
-  expect_refusal(m, {"duplicate tets: 1 (", "tets 11 and 13"});
+  expect_refusal(
+      m, {"tets stand twice: a volume in two physical groups?", "Duplicate tets: 1 (", "tets 11 and 13"});
 }
 
 // Requirement: three tets on one face are refused with their numbers and the face's place.

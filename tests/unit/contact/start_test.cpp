@@ -1,7 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
 #include "fissura/contact/contact.hpp"
+#include "fissura/contact/facets.hpp"
 #include "fissura/core/error.hpp"
+#include "fissura/mesh/gmsh_reader.hpp"
 #include "support/concrete_model.hpp"
 
 namespace fissura::contact {
@@ -40,11 +47,52 @@ TEST(Start, refuses_bodies_that_stand_in_each_other) {
   } catch (core::InputError const& e) {
     EXPECT_EQ(e.diagnostics.at(0).place.line, 4);
     std::string const what = e.what();
-    for (char const* word : {"overlap at the start", "tets ", "at (0.09", "move them apart"})
+    for (char const* word : {"overlap at the start", "tets ", "by up to 0.00", "at (0.09", "move them apart",
+                             "initial_overlap = \"zero\""})
       EXPECT_NE(what.find(word), std::string::npos) << word << " in: " << what;
   }
+  deep.source.contact.initial_overlap = model::InitialOverlap::zero;
+  EXPECT_NE(check_start(deep).find("start from this overlap, without a force"), std::string::npos);
+  EXPECT_EQ(check_start(two_cubes(0.01)), "");
   deep.source.contact.on = false;
-  EXPECT_NO_THROW(check_start(deep));
+  EXPECT_EQ(check_start(deep), "");
+}
+
+/// A pin in a hole of the same radius of 40 mm, each meshed by itself.
+model::Model pin_in_its_hole() {
+  std::string const file =
+      (std::filesystem::temp_directory_path() / ("fissura_pin_" + std::to_string(::getpid()) + ".geo"))
+          .string();
+  std::ofstream(file) << R"(SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 120, 120, 30};
+Cylinder(2) = {60, 60, 0, 0, 0, 30, 40};
+Cylinder(3) = {60, 60, 0, 0, 0, 30, 40};
+BooleanDifference(4) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+MeshSize{ PointsOf{ Volume{4}; } } = 25;
+MeshSize{ PointsOf{ Volume{3}; } } = 14;
+)";
+  auto const m = mesh::read_gmsh(file, 1e-3, 0);
+  std::filesystem::remove(file);
+  return support::concrete_model(m);
+}
+
+// Requirement: where facets of curved faces cut into each other the refusal names their sagitta, r (1 -
+// cos(pi/n)) = 1.6 mm for the 11 facets of 23 mm that go round the hole, and the depth of the overlap, which
+// is no larger.
+TEST(Start, names_the_sagitta_of_facets) {
+  auto const m = pin_in_its_hole();
+  double const sagitta =
+      largest_sagitta(m.mesh, m.adjacency, std::vector<char>(static_cast<std::size_t>(m.tet_count()), 1));
+  EXPECT_NEAR(sagitta, 0.0016, 0.0004);
+  try {
+    check_start(m);
+    ADD_FAILURE() << "the overlap was accepted";
+  } catch (core::InputError const& e) {
+    std::string const what = e.what();
+    for (char const* word :
+         {"by up to 0.00", "(the sagitta, edge^2/(8 radius))", "initial_overlap = \"zero\""})
+      EXPECT_NE(what.find(word), std::string::npos) << word << " in: " << what;
+  }
 }
 
 // Requirement: the way that nodes are taken to go until the next look, four steps ahead, twice, is at least

@@ -7,8 +7,10 @@
 #include <random>
 
 #include "fissura/core/error.hpp"
+#include "fissura/core/text.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/mesh/check.hpp"
+#include "fissura/mesh/groups.hpp"
 #include "fissura/mesh/inp_reader.hpp"
 
 namespace fissura::mesh {
@@ -114,34 +116,69 @@ TEST(ReadInp, elements_and_sets) {
   EXPECT_EQ(m.face_groups[0].triangles, (std::vector<std::array<int, 3>>{{1, 3, 2}, {0, 4, 1}}));
 }
 
-// Requirement: *SOLID SECTION decides which set is the material of a tet that is in several.
+/// The names that other names of a dimension stand for, in one line.
+std::string meaning(Mesh const& m, int dimension, std::string const& name) {
+  for (auto const& alias : m.aliases)
+    if (alias.dimension == dimension && alias.name == name)
+      return (alias.is_ambiguous ? "one of " : "") + core::joined(alias.groups, " ");
+  return "";
+}
+
+// Requirement: *SOLID SECTION decides which set is the material of a tet that is in several; a set that
+// others make up is one more name of theirs, one across them stays a set, and without sections sets that
+// overlap are refused.
 TEST(ReadInp, sections_decide) {
   std::string const all =
       with("*NSET, NSET=\"Tip\"", "*ELSET, ELSET=Eall, GENERATE\n21, 22\n*NSET, NSET=\"Tip\"");
-  EXPECT_NE(refusal(all).find(
-                ".inp:12: error: tet 21 is in the element sets \"concrete\" and \"Eall\": a tet has one "
-                "material; name the sets of the materials in *SOLID SECTION"),
-            std::string::npos)
-      << refusal(all);
+  Mesh const both = read(all);
+  EXPECT_EQ(both.volume_groups, (std::vector<std::string>{"concrete", "rest"}));
+  EXPECT_EQ(meaning(both, 3, "Eall"), "concrete rest");
+  EXPECT_EQ(meaning(both, 3, "Volume1"), "concrete rest");
   Mesh const m = read(
       all + "*SOLID SECTION, ELSET=eall, MATERIAL=C30\n*SOLID SECTION, ELSET=bar, MATERIAL=B500\n0.0002\n");
   EXPECT_EQ(m.volume_groups, std::vector<std::string>{"Eall"});
+  ASSERT_EQ(m.tet_sets.size(), 2u) << "concrete and rest";
+  EXPECT_EQ(m.tet_sets[1].name, "rest");
+  EXPECT_EQ(m.tet_sets[1].tets, std::vector<int>{1});
+  EXPECT_EQ(tets_named(m, "volume:rest", {}), std::vector<int>{1});
+  EXPECT_EQ(tets_named(m, "Volume1", {}), (std::vector<int>{0, 1}));
   Mesh const part = read(two_tets + "*SOLID SECTION, ELSET=rest, MATERIAL=C30\n");
   EXPECT_EQ(part.volume_groups, (std::vector<std::string>{"rest", "default"}));
   EXPECT_EQ(part.tet_group, (std::vector<int>{1, 0}));
+  std::string const overlapping =
+      two_tets + "*NODE\n6, 10, 10, 10\n*ELEMENT, TYPE=C3D4\n23, 2, 3, 4, 6\n*ELSET, ELSET=pair\n22, 23\n";
+  EXPECT_NE(refusal(overlapping)
+                .find(".inp:13: error: tet 22 is in the element sets \"rest\" and \"pair\": a tet has one "
+                      "material; name the sets of the materials in *SOLID SECTION"),
+            std::string::npos)
+      << refusal(overlapping);
 }
 
-// Requirement: one part with one instance in an assembly is the same mesh as the flat file.
+// Requirement: one part, with an instance in an assembly or without an assembly, is the same mesh as the flat
+// file; reference points of the assembly are left out, and the log says so.
 TEST(ReadInp, one_part) {
   std::string const part =
       "*PART, NAME=P\n" +
       two_tets.substr(two_tets.find("*NODE"), two_tets.find("*NSET, NSET=\"Tip\"") - two_tets.find("*NODE")) +
-      "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*NODE\n1, 5, 5, 5\n"
+      "*END PART\n";
+  std::string const assembly =
+      "*ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*NODE\n1, 5, 5, 5\n"
       "*NSET, NSET=rp\n1\n*NSET, NSET=Tip, INSTANCE=I\n4\n*END ASSEMBLY\n";
-  Mesh const m = read(part);
-  EXPECT_EQ(m.tets, read(two_tets).tets);
+  for (auto const& text : {part, part + assembly}) {
+    Mesh const m = read(text);
+    EXPECT_EQ(m.tets, read(two_tets).tets);
+    EXPECT_EQ(m.points, read(two_tets).points);
+    EXPECT_EQ(m.volume_groups, read(two_tets).volume_groups);
+  }
+  Mesh const m = read(part + assembly);
   ASSERT_EQ(m.point_groups.size(), 2u);
   EXPECT_EQ(m.point_groups[1].points, std::vector<int>{3});
+  EXPECT_EQ(meaning(m, 0, "A.Tip"), "Tip");
+  EXPECT_EQ(meaning(m, 3, "I.concrete"), "concrete");
+  ASSERT_EQ(m.notes.size(), 1u);
+  EXPECT_NE(
+      m.notes[0].find("sets that hold nothing of the mesh (reference points, elements left out): \"rp\""),
+      std::string::npos);
 }
 
 // Requirement: each fault is refused at its line with what was expected.
@@ -166,10 +203,28 @@ TEST(ReadInp, refuses_with_the_line) {
            {"*ELSET, ELSET=rest\n22", "*ELSET, ELSET=rest\n23", "there is no element 23"},
            {"22, S2", "22, S5", "a line of a *SURFACE is an element or a set of them, and a side"},
            {"22, S2", "bar, S2", "element 31 has no side S2: it is no tet"},
-           {"*Heading", "*INCLUDE, INPUT=other.inp", ".inp:1: error: *INCLUDE is not known"},
-           {"*NODE, NSET=Nall", "*NODE, SYSTEM=C", "only rectangular coordinates"},
-           {"*MATERIAL, NAME=STEEL", "*PART, NAME=a\n*PART, NAME=b", "a second *PART"},
-           {"*MATERIAL, NAME=STEEL", "*INSTANCE, NAME=a, PART=b\n1., 0., 0.", "a moved *INSTANCE"},
+           {"*Heading", "*INCLUDE, INPUT=other.inp",
+            ".inp:1: error: *INCLUDE is not known: all nodes and elements must stand in the file itself"},
+           {"*Heading", "*IMPERFECTION, STEP=1", ".inp:1: error: *IMPERFECTION is not known: it moves nodes"},
+           {"*Heading", "*SYSTEM\n1., 0., 0.", ".inp:2: error: *SYSTEM is not known: write the nodes in"},
+           {"*NODE, NSET=Nall", "*NODE, SYSTEM=S", "only rectangular and cylindrical coordinates"},
+           {"*NODE, NSET=Nall", "*NODE, INPUT=nodes.txt",
+            ".inp:4: error: *NODE, INPUT: all nodes and elements"},
+           {"*MATERIAL, NAME=STEEL", "*PART, NAME=a\n*END PART",
+            ".inp:5: error: nodes or elements outside of every *PART, in a file with parts"},
+           {"*MATERIAL, NAME=STEEL", "*PART", "*PART needs a name"},
+           {"*MATERIAL, NAME=STEEL", "*ASSEMBLY\n*PART, NAME=a", "*PART inside *ASSEMBLY"},
+           {"*MATERIAL, NAME=STEEL", "*PART, NAME=a\n*PART, NAME=A", "part \"A\" stands already in line 31"},
+           {"*MATERIAL, NAME=STEEL", "*INSTANCE, NAME=a", "*INSTANCE needs a name and a part"},
+           {"*MATERIAL, NAME=STEEL", "*INSTANCE, NAME=a, PART=b", "there is no part \"b\" above"},
+           {"*MATERIAL, NAME=STEEL", "*INSTANCE, LIBRARY=old",
+            "*INSTANCE, LIBRARY: its mesh stands in the results"},
+           {"*MATERIAL, NAME=STEEL", "*NSET, NSET=n, INSTANCE=I",
+            "only sets of the assembly name an instance"},
+           {"type=C3D4", "type=C3D8R", "elements of type C3D8R: only C3D4 (tetrahedra)"},
+           {"TYPE=T3D2", "TYPE=B32", "elements of type B32: only C3D4 (tetrahedra), T3D2 or B31 (bars)"},
+           {"ELSET=rest\n", "ELSET=some_tets\n22\n*SURFACE, NAME=top\n22, S4\n*ELSET, ELSET=rest\n",
+            "\"top\" is also the name of another set or surface, in line"},
            {"GENERATE\n1, 9, 2", "GENERATE\n1", "GENERATE expects: first, last, step"},
            {"GENERATE\n1, 9, 2", "GENERATE\n1, 9, 0", "where a number from 1 is expected"},
            {"NSET=\"Tip\"", "NSET=", "*NSET needs a name"},

@@ -90,6 +90,40 @@ TEST(SelectPoints, by_group) {
   EXPECT_EQ(select_points(m, group("tip")), std::vector<int>{0});
 }
 
+// Requirement: a name that groups of two kinds have is refused with both and the way to say which, unless
+// they select the same; the kind before the name says which.
+TEST(SelectPoints, one_name_of_two_kinds) {
+  auto m = beam_with_plate();
+  for (auto const& side : m.face_groups)
+    if (side.name == "beam.x-") m.face_groups.push_back({"beam", side.triangles});
+  auto const adjacency = make_adjacency(m);
+  EXPECT_EQ(
+      refusal([&] { select_points(m, group("beam")); }),
+      "the name 'beam' stands for a volume group (45 nodes) and a surface group (9 nodes) of the mesh: write "
+      "\"volume:beam\" or \"surface:beam\"");
+  EXPECT_EQ(select_points(m, group("volume:beam")).size(), 45u);
+  EXPECT_EQ(select_points(m, group("surface:beam")).size(), 9u);
+  EXPECT_NE(refusal([&] {
+              select_boundary_faces(m, adjacency, group("beam"));
+            }).find("and a surface group (8 outer faces)"),
+            std::string::npos);
+  EXPECT_EQ(select_boundary_faces(m, adjacency, group("surface:beam")).size(), 8u);
+  EXPECT_EQ(select_shared_faces(m, adjacency, group("beam")),
+            select_shared_faces(m, adjacency, group("volume:beam")))
+      << "an outer surface has no joints";
+  EXPECT_EQ(select_tets(m, group("beam")).size(), 16u * 6) << "only a volume has tets";
+  EXPECT_TRUE(names_tets(m, group("beam")));
+  EXPECT_FALSE(names_tets(m, group("surface:beam")));
+  EXPECT_NE(refusal([&] { select_points(m, group("curve:beam")); }).find("no group 'curve:beam'"),
+            std::string::npos);
+  m.point_groups.push_back({"plate", {}});
+  for (int p = 0; p < static_cast<int>(m.points.size()); ++p)
+    if (m.points[static_cast<std::size_t>(p)].z > 0.24) m.point_groups.back().points.push_back(p);
+  EXPECT_NE(refusal([&] { select_points(m, group("plate")); }).find("\"point:plate\""), std::string::npos);
+  for (int const p : select_points(m, group("volume:plate"))) m.point_groups.back().points.push_back(p);
+  EXPECT_EQ(select_points(m, group("plate")).size(), 12u) << "both are the same nodes";
+}
+
 // Requirement: an unknown group is refused with the nearest name and the list; an empty selection with the
 // extent.
 TEST(SelectPoints, refusals_help) {

@@ -246,7 +246,42 @@ TEST(Embed, ImpossibleBarsAreErrors) {
                core::InputError);
 }
 
-// A curve that is no single line, and a bar without a section, are errors at the bar's place that say why.
+// A curve of several lines is as many bars, in the order of their first segments, each with all copies; the
+// lines may be closed, and the segments in any order.
+TEST(Embed, SeveralLinesInOneCurve) {
+  auto mesh = kuhn_box({4, 4, 4}, {1, 1, 1});
+  int const n = static_cast<int>(mesh.points.size());
+  for (Vec3 const p : {Vec3{0.1, 0.1, 0.1},
+                       {0.5, 0.1, 0.1},
+                       {0.9, 0.1, 0.1},
+                       {0.2, 0.3, 0.2},
+                       {0.8, 0.3, 0.2},
+                       {0.5, 0.3, 0.8}})
+    mesh.points.push_back(p);
+  mesh.line_groups = {{"cage", {{n + 2, n + 1}, {n + 4, n + 5}, {n, n + 1}, {n + 3, n + 4}, {n + 5, n + 3}}}};
+  auto bar = bar_along({});
+  bar.curve = "cage", bar.count = 2, bar.spacing = {0, 0.05, 0};
+  auto const e = embed(mesh, {bar});
+  double const triangle = 0.6 + 2 * std::hypot(0.3, 0.6);
+  expect_whole(e, 2 * (0.8 + triangle), area);
+  EXPECT_EQ(e.bars().properties[0].copies, 4);
+  EXPECT_EQ(e.embedding.report.bars[0].copies, 4);
+  std::array<double, 4> length{};
+  std::array<Vec3, 4> start{};
+  for (auto const& element : e.bars().elements) {
+    auto const copy = static_cast<std::size_t>(element.copy);
+    if (length[copy] == 0) start[copy] = e.start_of(element);
+    length[copy] += element.length;
+  }
+  EXPECT_NEAR(length[0], 0.8, 1e-12);
+  EXPECT_NEAR(length[1], triangle, 1e-12);
+  EXPECT_NEAR(length[2], 0.8, 1e-12);
+  EXPECT_LT(norm(start[0] - Vec3{0.9, 0.1, 0.1}), 1e-12) << "the end that comes first";
+  EXPECT_LT(norm(start[3] - Vec3{0.8, 0.35, 0.2}), 1e-12);
+}
+
+// A curve that branches or has no lines, and a bar without a section, are errors at the bar's place that say
+// why.
 TEST(Embed, CurvesThatAreNoLineAreErrors) {
   auto mesh = kuhn_box({2, 1, 1}, {1, 1, 1});
   auto bar = bar_along({});
@@ -259,7 +294,7 @@ TEST(Embed, CurvesThatAreNoLineAreErrors) {
   };
   expect({}, "curve 'tendon' has no segments");
   expect({{0, 1}, {1, 2}, {1, 4}}, "curve 'tendon' branches at (");
-  expect({{0, 1}, {3, 4}}, "curve 'tendon' falls into several lines");
+  expect({{0, 1}, {1, 2}, {1, 4}}, "put bars that meet into sets (or physical curves) of their own");
   bar.curve = "cable";
   EXPECT_NE(refusal(mesh, bar).find("the mesh has no curve 'cable' (it has: tendon)"), std::string::npos);
   EXPECT_NE(
