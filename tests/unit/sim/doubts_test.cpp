@@ -194,8 +194,8 @@ TEST(MaterialDoubts, RegionsThatCannotCrack) {
   r.place = {"case.toml", 15, 1}, r.strength_factor = 1e5;
   c.joint_regions = {r};
   EXPECT_TRUE(warns(c, "case.toml:15:1: `strength_factor` = 1e+05: these joints cannot crack"));
-  c.joint_regions[0].strength_factor = 1e-4;
-  EXPECT_TRUE(warns(c, "these joints are as good as a gap"));
+  c.joint_regions[0].strength_factor = 1e-6; // a notch
+  EXPECT_FALSE(warns(c, "`strength_factor`"));
 }
 
 // ---- bodies
@@ -282,7 +282,7 @@ TEST(Step, OutOfReach) {
   c.concretes[0].density = 1e-25;
   auto const said = refusal_of(c);
   EXPECT_NE(said.find("`density` = 1e-25 kg/m3"), std::string::npos) << said;
-  EXPECT_NE(said.find("it would never end"), std::string::npos);
+  EXPECT_NE(said.find("and never end"), std::string::npos);
   c = tie();
   c.run.dt = 1e-30;
   EXPECT_NE(refusal_of(c).find("`dt` = "), std::string::npos);
