@@ -102,6 +102,7 @@ constexpr char const* curve_examples = R"(
 displacement = {value = "30 mm", over = "0.5 s"}
 displacement = {table = [["0 s", "0 mm"], ["1 s", "2 mm"]]}
 displacement = {cycles = ["1 mm", "2 mm"], period = "0.1 s", repeats = 2}
+displacement = {file = "jack.txt", unit = "mm", time_step = "10 ms"}
 acceleration = "9.81 m/s2"
 ```
 )";

@@ -102,10 +102,11 @@ void check_reach(Model const& m) {
                                units::from_si(fastest->E, units::Dimension::pressure),
                                units::from_si(fastest->density, units::Dimension::density), fastest->name);
   throw core::InputError(
-      fastest->place,
-      fmt::format("{} make a time step of {:.3g} s, of which the run would need {:.3g} to {}: it "
-                  "would never end; are their units right, and that of `end_time`?",
-                  cause, m.dt, steps, units::from_si(end, units::Dimension::time)));
+      run.dt > 0 ? core::Place{m.source.deck_file} : fastest->place,
+      fmt::format(
+          "the time step would be {:.3g} s, by {}: the run would need {:.3g} steps to {} and never end; are "
+          "these units right, and that of `end_time`?",
+          m.dt, cause, steps, units::from_si(end, units::Dimension::time)));
 }
 
 void choose_step(Model& m, BuildReport& report) {

@@ -29,7 +29,7 @@ std::string wall_time(double steps, StepTime const& step, int threads) {
   auto text =
       fmt::format("about {} on {} thread{} (intact; cracking costs more)",
                   readable_duration(outputs * steps * step.undisturbed), threads, threads == 1 ? "" : "s");
-  if (step.now < busy * step.undisturbed) return text;
+  if (step.now < busy * step.undisturbed || outputs * steps * step.now < 10) return text;
   double load[1] = {0};
   bool const known = ::getloadavg(load, 1) == 1;
   return text + fmt::format("; other programs are busy here{}: while they are, rather {}",
@@ -74,7 +74,8 @@ std::string check_case(model::Case const& c, std::string const& frames_folder) {
                              : fmt::format("{:.3g} to t = {:.4g} s", steps, end));
   line("wall time", wall_time(steps, step, threads.count()));
   line("memory", fmt::format("about {}", megabytes(storage.memory)));
-  line("disk", fmt::format("about {} in {:.0f} frames", megabytes(storage.disk), storage.frames));
+  line("disk", fmt::format("about {} in {:.0f} frames; {} for each of at most two checkpoints",
+                           megabytes(storage.disk), storage.frames, megabytes(storage.checkpoint)));
   for (auto const& note : report.notes) line("note", note);
   for (auto const& warning : report.warnings) line("warning", warning);
   return text;

@@ -37,7 +37,7 @@ void look(Model const& m, std::string const& who, Curve const& curve, std::vecto
         "balance cannot follow; let it take {} or more, or shorten the step (`least_dt`, "
         "`density` and `E` govern it)",
         who, what, time(duration), pace > 1 ? fmt::format(", {:.3g} times faster with its pace,", pace) : "",
-        steps, steps == 1 ? "" : "s", time(m.dt), time(enough_steps * pace * m.dt)));
+        steps, fmt::format("{:.2g}", steps) == "1" ? "" : "s", time(m.dt), time(enough_steps * pace * m.dt)));
 }
 
 /// Rows that lie closer together than the steps are passed over.

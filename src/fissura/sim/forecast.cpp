@@ -19,11 +19,11 @@ constexpr double piece = 0.01;       ///< [s]: shorter than what the system give
 constexpr int most_steps = 2000;
 
 /// Bytes of a frame on the disk, compressed, measured on cracked bodies: fields per tet, bars per element.
-constexpr double per_tet = 110, per_bar_element = 75;
+constexpr double per_tet = 125, per_bar_element = 65;
 /// While a frame is written it stands in memory, as arrays and as the file.
 constexpr double frame_per_tet = 700, frame_per_bar_element = 500;
-/// A checkpoint holds the state; two of them are kept.
-constexpr double state_per_tet = 350, state_per_joint = 60, state_per_bar_joint = 700;
+/// A checkpoint holds the state, bare; damaged joints add to it as they come.
+constexpr double state_per_tet = 200, state_per_joint = 20, state_per_bar_joint = 490;
 
 double peak_memory() {
   rusage use{};
@@ -68,11 +68,8 @@ Storage measure_storage(model::Model const& m) {
   double const rows = out.history_every > 0 ? end / out.history_every : out.history_points;
   Storage s;
   s.frames = out.frames_every > 0 ? end / out.frames_every : out.frames;
-  bool const keeps = out.checkpoint_every > 0 || out.checkpoint_steps > 0;
-  double const state =
-      state_per_tet * tets + state_per_joint * m.joint_count() + state_per_bar_joint * bar_joints;
-  s.disk =
-      s.frames * (per_tet * tets + per_bar_element * bars) + 12 * columns * rows + (keeps ? 2 * state : 0);
+  s.checkpoint = state_per_tet * tets + state_per_joint * m.joint_count() + state_per_bar_joint * bar_joints;
+  s.disk = s.frames * (per_tet * tets + per_bar_element * bars) + 12 * columns * rows;
   s.memory = peak_memory() + (s.frames > 0 ? frame_per_tet * tets + frame_per_bar_element * bars : 0) +
              8 * columns * rows;
   return s;

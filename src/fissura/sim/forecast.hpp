@@ -20,9 +20,10 @@ StepTime measure_step(model::Model const& m);
 
 /// Bytes.
 struct Storage {
-  double memory = 0; ///< at the peak, the program and its libraries included
-  double disk = 0;   ///< frames, history and checkpoints
-  double frames = 0; ///< how many
+  double memory = 0;     ///< at the peak, the program and its libraries included
+  double disk = 0;       ///< frames and history
+  double checkpoint = 0; ///< one of them; two are kept at most
+  double frames = 0;     ///< how many
 };
 
 /// After measure_step, which has used nearly all the memory that a run will.

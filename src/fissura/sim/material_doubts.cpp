@@ -167,10 +167,10 @@ class MaterialDoubts {
 
   void regions() {
     for (auto const& r : m.source.joint_regions)
-      if (r.crackable && (r.strength_factor > 100 || r.strength_factor < 1e-3))
+      if (r.crackable && r.strength_factor > 100) // a small one is a notch
         doubt(fmt::format(
-            "{}: `strength_factor` = {:.3g}: these joints {}", core::to_string(r.place), r.strength_factor,
-            r.strength_factor > 1 ? "cannot crack; crackable = false says so" : "are as good as a gap"));
+            "{}: `strength_factor` = {:.3g}: these joints cannot crack; crackable = false says so",
+            core::to_string(r.place), r.strength_factor));
   }
 
   Model const& m;

@@ -99,7 +99,7 @@ std::vector<Fault> const faults{
      {"again", "pull", "x"}},
     {"motion_of_a_support",
      [](model::Case& c) {
-       c.motions[0] = motion_at("pull", plane(0, 0), 1, constant(0)), c.motions[0].place = line(30);
+       c.motions[0] = motion_at("pull", plane(0, 0), 1, ramp(1e-4, 1e-3)), c.motions[0].place = line(30);
      },
      30,
      {"left", "pull", "y"}},
