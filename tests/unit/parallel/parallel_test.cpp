@@ -138,7 +138,16 @@ TEST(Threads, wake_for_every_pass) {
   EXPECT_EQ(sum, 640'000);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they need all addresses for themselves
+// Sanitizers need all addresses for themselves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FISSURA_TEST_IS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FISSURA_TEST_IS_SANITIZED
+#endif
+#endif
+
+#ifndef FISSURA_TEST_IS_SANITIZED
 // Requirement: threads that the system does not grant are an error in words; those that had begun are let go.
 TEST(Threads, that_are_not_granted_are_an_error) {
   rlimit before{};
