@@ -244,6 +244,23 @@ TEST(Scene, RefusesFramesThatDoNotFit) {
   expect("fields_0.vtu", nowhere, "a point of it has no place");
   expect("fields_0.vtu", testing::joints({0}, {1e-4F}, 1), "its tets do not have four points each");
   expect("cracks_1.vtu", testing::two_tets(false), "its joints do not have three points each");
+  testing::make_running(t / "run", 3);
+  auto const part = [&](output::Grid const& whole, output::Grid const& later, std::string const& reason) {
+    for (int i = 0; i < 3; ++i)
+      output::write_vtu(t / "run/frames/rigid_" + std::to_string(i) + ".vtu", i == 0 ? whole : later);
+    output::PvdWriter list(t / "run/rigid.pvd");
+    for (int i = 0; i < 3; ++i) list.add(0.01 * i, {"frames/rigid_" + std::to_string(i) + ".vtu"});
+    std::string const text =
+        support::refusal(core::Failure::io, [&] { report_numbers(RunFolder(t / "run"), {}); });
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
+  };
+  auto ball = testing::joints({0, 0.5}, {0, 0}, 0), half = testing::joints({0}, {0}, 0);
+  for (auto* g : {&ball, &half})
+    g->cell_data = {{"impactor", 1, std::vector<std::int32_t>(g->types.size(), 1), "-"}};
+  part(ball, half, "rigid_1.vtu': it has other triangles than the first frame");
+  auto tets = testing::two_tets(false);
+  tets.cell_data = {{"impactor", 1, std::vector<std::int32_t>(2, 1), "-"}};
+  part(tets, tets, "rigid_0.vtu': its triangles do not have three points each");
 }
 
 // Requirement: frames are left out evenly, never the first or the last.

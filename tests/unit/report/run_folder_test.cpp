@@ -3,6 +3,7 @@
 
 #include "fissura/core/error.hpp"
 #include "fissura/report/run_folder.hpp"
+#include "fissura/report/watch.hpp"
 #include "support/refusal.hpp"
 #include "unit/report/support.hpp"
 
@@ -69,6 +70,69 @@ TEST(RunFolder, NamesWhatIsWrong) {
   testing::make_running(t / "c", 1);
   testing::write_text(t / "c/fields.pvd", "<VTKFile><Coll");
   EXPECT_NE(error_of(t / "c").find("no PVD list"), std::string::npos);
+}
+
+// Requirement: a damaged file of a run folder is refused with its name and what is wrong in it.
+TEST(RunFolder, NamesWhatIsDamaged) {
+  struct Damage {
+    char const *file, *text, *reason;
+  };
+  std::string const deep = "{\"status\": " + std::string(100, '[') + std::string(100, ']') + "}";
+  for (auto const& [file, text, reason] : std::initializer_list<Damage>{
+           {"run.json", "", "no JSON object"},
+           {"run.json", "[1]", "no JSON object"},
+           {"run.json", "{}", "it has no `status`"},
+           {"run.json", R"({"status": 1})", "`status` is no text"},
+           {"run.json", R"({"status": "complete", "time": "1"})", "`time` is no number"},
+           {"run.json", R"({"status": "complete", "fragments": 3})", "`fragments` is no object"},
+           {"run.json", R"({"status": "complete", "fragments": {"count": "3"}})",
+            "`fragments.count` is no number"},
+           {"run.json", R"({"status": "complete", "fragments": {"count": 3}})",
+            "`fragments.largest` is no list of pieces"},
+           {"run.json", R"({"status": "complete", "fragments": {"largest": [1]}})",
+            "`fragments.largest` is no list of pieces"},
+           {"run.json", deep.c_str(), "its brackets stand too deep in each other"},
+           {"history.csv", "time [s],a [N]\n0,1\n1\n", "line 3 has 1 values for 2 columns"},
+           {"history.csv", "time [s],a [N]\n0,1\n1,one\n", "line 3: 'one' is no number"},
+           {"fields.pvd", R"(<VTKFile><Collection><DataSet file="a"/></Collection></VTKFile>)",
+            "frame 1 has no time"},
+           {"bars.pvd",
+            R"(<VTKFile><Collection><DataSet timestep="0" file="a/../../b"/></Collection></VTKFile>)",
+            "it names 'a/../../b', which does not lie in the run folder"},
+           {"bars.pvd", R"(<VTKFile><Collection><DataSet timestep="0"/></Collection></VTKFile>)",
+            "it names '', which does not lie in the run folder"}}) {
+    TemporaryFolder const t;
+    testing::make_running(t / "run", 1);
+    testing::write_text(t / "run/" + std::string(file), text);
+    std::string const said = error_of(t / "run");
+    EXPECT_NE(said.find(file + std::string("': ") + reason), std::string::npos) << said;
+  }
+}
+
+// Requirement: what lies under the name of a file and is none (a folder, a link to itself) is refused, not
+// taken for missing.
+TEST(RunFolder, ReadsFilesOnly) {
+  TemporaryFolder const t;
+  testing::make_running(t / "a", 1);
+  std::filesystem::create_directory(t / "a/run.json");
+  EXPECT_NE(error_of(t / "a").find("run.json': it is no file"), std::string::npos);
+  testing::make_running(t / "b", 1);
+  std::filesystem::create_symlink("run.json", t / "b/run.json");
+  EXPECT_NE(error_of(t / "b").find("run.json': Too many levels of symbolic links"), std::string::npos);
+  testing::write_text(t / "c", "time [s]\n");
+  EXPECT_NE(error_of(t / "c").find("it is a file, no run folder"), std::string::npos);
+}
+
+// Requirement: names with control characters reach a screen as text.
+TEST(RunFolder, ShowsNamesOnAScreenAsText) {
+  TemporaryFolder const t;
+  testing::make_running(t / "run", 1);
+  testing::finish(t / "run", "beam");
+  testing::write_text(t / "run/log.txt", "2026-01-31 12:00:00 info: \x1b[2J\n");
+  RunFolder const run(t / "run");
+  std::string const screen = watch_screen(run, {});
+  EXPECT_EQ(screen.find('\x1b'), std::string::npos);
+  EXPECT_NE(screen.find("\\x1b[2J"), std::string::npos) << screen;
 }
 
 } // namespace
