@@ -14,6 +14,8 @@ The first names a run (verify_runs.py) and one of its quantities: a key of run.j
 verification (verify_checks.py), as in <!--four_point: load at first yield [kN]-->. A block of output is compared line by line
 with what the program says now if `<!--output of: check examples/...-->` stands before it.
 
+The expected.csv of an example whose run is made is compared, or written, along with them (pictures: examples.py --update).
+
 In the pages of COMPLETE every number is accounted for: it is marked so, or stands in a deck beside the page, or in a
 comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" is a bound: true
 as long as the run stays below it.
@@ -25,6 +27,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import examples
 import numbers_of_runs as numbers
 import verify_checks
 from fissura_io import BadFile
@@ -190,6 +193,20 @@ def write_numbers(path, values):
     path.write_text(text, encoding="utf-8")
 
 
+def compare_examples(runs, made, write):
+    """Curves that have left the expected.csv of the examples whose run has been made; with `write` they are written."""
+    wrong = []
+    for name, example in examples.EXAMPLE.items():
+        if example.run not in made or example.run in runs.failed:
+            continue
+        expected = examples.EXAMPLES / name / "expected.csv"
+        if write:
+            examples.write_expected(example, runs.get(example.run), expected)
+            continue
+        wrong += [f"examples/{name}/expected.csv: {c} differs by {d:.2g} of its range" for c, d in examples.differences(example, runs.get(example.run), expected)]
+    return wrong
+
+
 def check(arguments, runs):
     source, wrong, marks = Source(runs), [], []
     for path in pages():
@@ -205,7 +222,9 @@ def check(arguments, runs):
                 arguments.long or not any(runs.specs[name].long for name in needed)
             if chosen and not (arguments.cached and not all(runs.is_cached(name) for name in needed)):
                 marks.append((path, place, of, what, text))
-    runs.make(list(dict.fromkeys(name for _, _, of, what, _ in marks for name in source.needs(of, what))))
+    made = list(dict.fromkeys(name for _, _, of, what, _ in marks for name in source.needs(of, what)))
+    runs.make(made)
+    wrong += compare_examples(runs, made, arguments.write)
     values = {}
     for path, place, of, what, text in marks:
         try:
