@@ -17,8 +17,8 @@ with what the program says now if `<!--output of: check examples/...-->` stands 
 The expected.csv of an example whose run is made is compared, or written, along with them (pictures: examples.py --update).
 
 In the pages of COMPLETE every number is accounted for: it is marked so, or stands in a deck beside the page, or in a
-comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" is a bound: true
-as long as the run stays below it.
+comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" or
+"(at least)" is a bound: true as long as the run keeps it, and never written anew.
 """
 import argparse
 import re
@@ -69,7 +69,7 @@ def rounded(value, text):
     return f"{value:{sign}{',' if ',' in text or abs(value) >= 1e4 else ''}.{digits}f}"
 
 
-AT_MOST = " (at most)"
+AT_MOST, AT_LEAST = " (at most)", " (at least)"
 
 
 def is_true(value, text, scatter):
@@ -90,7 +90,7 @@ class Source:
 
     def needs(self, of, what):
         """Names of the runs that a number is read from."""
-        what = what.removesuffix(AT_MOST)
+        what = what.removesuffix(AT_MOST).removesuffix(AT_LEAST)
         if (of, what) in self.rows:
             return self.rows[of, what].runs
         if of in self.runs.specs and (what in numbers.SUMMARY or what in numbers.of_run(of)):
@@ -98,7 +98,7 @@ class Source:
         raise Untrue(f"`{of}: {what}` names no quantity of a run and no row of the verification")
 
     def value(self, of, what):
-        what = what.removesuffix(AT_MOST)
+        what = what.removesuffix(AT_MOST).removesuffix(AT_LEAST)
         runs = [self.runs.get(name) for name in self.needs(of, what)]
         if (of, what) in self.rows:
             return float(self.rows[of, what].measure(*runs))
@@ -109,6 +109,8 @@ class Source:
     def is_true(self, value, of, what, text):
         if what.endswith(AT_MOST):
             return value <= float(text.replace(",", ""))
+        if what.endswith(AT_LEAST):
+            return value >= float(text.replace(",", ""))
         return is_true(value, text, self.scatter(of, what))
 
     def scatter(self, of, what):
@@ -188,7 +190,7 @@ def write_numbers(path, values):
     """Puts the values of all marks of a page that have one: {(run, quantity): value}."""
     text = path.read_text(encoding="utf-8")
     for _, of, what, printed, (begin, end) in reversed(list(marked(path))):
-        if (of, what) in values and not what.endswith(AT_MOST):
+        if (of, what) in values and not what.endswith((AT_MOST, AT_LEAST)):
             text = text[:begin] + rounded(values[of, what], printed) + text[end:]
     path.write_text(text, encoding="utf-8")
 
@@ -229,7 +231,7 @@ def check(arguments, runs):
     for path, place, of, what, text in marks:
         try:
             values[of, what] = value = source.value(of, what)
-            if not (arguments.write and not what.endswith(AT_MOST)) and not source.is_true(value, of, what, text):
+            if not (arguments.write and not what.endswith((AT_MOST, AT_LEAST))) and not source.is_true(value, of, what, text):
                 wrong.append(f"{place}: {of}: {what} is {value:.6g}, the page says {text}")
         except (RunFailed, BadFile, OSError) as error:
             wrong.append(f"{place}: {error}")
