@@ -34,5 +34,5 @@ function(fissura_tests kind module)
     add_custom_target(tests_${kind}) # all programs of one kind
   endif()
   add_dependencies(tests_${kind} ${target})
-  gtest_discover_tests(${target} TEST_PREFIX "${kind}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${target} TEST_PREFIX "${kind}." DISCOVERY_TIMEOUT 600 PROPERTIES TIMEOUT 1500)
 endfunction()

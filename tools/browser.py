@@ -31,7 +31,7 @@ def find_browser():
 
 
 class Browser:
-    def __init__(self, width=1280, height=900, timeout=60):
+    def __init__(self, width=1280, height=900, timeout=300):
         self.timeout, self.width, self.height = timeout, width, height
         program = find_browser()
         if not program:

@@ -14,9 +14,11 @@ The first names a run (verify_runs.py) and one of its quantities: a key of run.j
 verification (verify_checks.py), as in <!--four_point: load at first yield [kN]-->. A block of output is compared line by line
 with what the program says now if `<!--output of: check examples/...-->` stands before it.
 
+The expected.csv of an example whose run is made is compared, or written, along with them (pictures: examples.py --update).
+
 In the pages of COMPLETE every number is accounted for: it is marked so, or stands in a deck beside the page, or in a
-comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" is a bound: true
-as long as the run stays below it.
+comment `<!-- given: 12 s, 6.5 -->` with those that are no result of a run. A quantity that ends in "(at most)" or
+"(at least)" is a bound: true as long as the run keeps it, and never written anew.
 """
 import argparse
 import re
@@ -25,6 +27,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import examples
 import numbers_of_runs as numbers
 import verify_checks
 from fissura_io import BadFile
@@ -66,7 +69,7 @@ def rounded(value, text):
     return f"{value:{sign}{',' if ',' in text or abs(value) >= 1e4 else ''}.{digits}f}"
 
 
-AT_MOST = " (at most)"
+AT_MOST, AT_LEAST = " (at most)", " (at least)"
 
 
 def is_true(value, text, scatter):
@@ -87,7 +90,7 @@ class Source:
 
     def needs(self, of, what):
         """Names of the runs that a number is read from."""
-        what = what.removesuffix(AT_MOST)
+        what = what.removesuffix(AT_MOST).removesuffix(AT_LEAST)
         if (of, what) in self.rows:
             return self.rows[of, what].runs
         if of in self.runs.specs and (what in numbers.SUMMARY or what in numbers.of_run(of)):
@@ -95,7 +98,7 @@ class Source:
         raise Untrue(f"`{of}: {what}` names no quantity of a run and no row of the verification")
 
     def value(self, of, what):
-        what = what.removesuffix(AT_MOST)
+        what = what.removesuffix(AT_MOST).removesuffix(AT_LEAST)
         runs = [self.runs.get(name) for name in self.needs(of, what)]
         if (of, what) in self.rows:
             return float(self.rows[of, what].measure(*runs))
@@ -106,6 +109,8 @@ class Source:
     def is_true(self, value, of, what, text):
         if what.endswith(AT_MOST):
             return value <= float(text.replace(",", ""))
+        if what.endswith(AT_LEAST):
+            return value >= float(text.replace(",", ""))
         return is_true(value, text, self.scatter(of, what))
 
     def scatter(self, of, what):
@@ -185,9 +190,23 @@ def write_numbers(path, values):
     """Puts the values of all marks of a page that have one: {(run, quantity): value}."""
     text = path.read_text(encoding="utf-8")
     for _, of, what, printed, (begin, end) in reversed(list(marked(path))):
-        if (of, what) in values and not what.endswith(AT_MOST):
+        if (of, what) in values and not what.endswith((AT_MOST, AT_LEAST)):
             text = text[:begin] + rounded(values[of, what], printed) + text[end:]
     path.write_text(text, encoding="utf-8")
+
+
+def compare_examples(runs, made, write):
+    """Curves that have left the expected.csv of the examples whose run has been made; with `write` they are written."""
+    wrong = []
+    for name, example in examples.EXAMPLE.items():
+        if example.run not in made or example.run in runs.failed:
+            continue
+        expected = examples.EXAMPLES / name / "expected.csv"
+        if write:
+            examples.write_expected(example, runs.get(example.run), expected)
+            continue
+        wrong += [f"examples/{name}/expected.csv: {c} differs by {d:.2g} of its range" for c, d in examples.differences(example, runs.get(example.run), expected)]
+    return wrong
 
 
 def check(arguments, runs):
@@ -205,12 +224,14 @@ def check(arguments, runs):
                 arguments.long or not any(runs.specs[name].long for name in needed)
             if chosen and not (arguments.cached and not all(runs.is_cached(name) for name in needed)):
                 marks.append((path, place, of, what, text))
-    runs.make(list(dict.fromkeys(name for _, _, of, what, _ in marks for name in source.needs(of, what))))
+    made = list(dict.fromkeys(name for _, _, of, what, _ in marks for name in source.needs(of, what)))
+    runs.make(made)
+    wrong += compare_examples(runs, made, arguments.write)
     values = {}
     for path, place, of, what, text in marks:
         try:
             values[of, what] = value = source.value(of, what)
-            if not (arguments.write and not what.endswith(AT_MOST)) and not source.is_true(value, of, what, text):
+            if not (arguments.write and not what.endswith((AT_MOST, AT_LEAST))) and not source.is_true(value, of, what, text):
                 wrong.append(f"{place}: {of}: {what} is {value:.6g}, the page says {text}")
         except (RunFailed, BadFile, OSError) as error:
             wrong.append(f"{place}: {error}")

@@ -92,7 +92,7 @@ def broken_lines(folder):
     return wrong
 
 
-def wait_for(condition, seconds=120):
+def wait_for(condition, seconds=900):
     """Whether the condition came true in time."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:

@@ -23,6 +23,14 @@ class Text(unittest.TestCase):
         self.assertTrue(tool.is_true(58, "57.5", 0.02))
         self.assertFalse(tool.is_true(59, "57.5", 0.02))
 
+    def test_bounds(self):
+        """"At most" and "at least" are true as long as the run keeps them."""
+        source = tool.Source(Runs("no program", ROOT / "build" / "none"))
+        for what, good, bad in (("energy residual [%] (at most)", 0.019, 0.021), ("quiet readings [%] (at least)", 0.021, 0.019)):
+            self.assertEqual(source.needs("demo", what), ("demo",))
+            self.assertTrue(source.is_true(good, "demo", what, "0.02"))
+            self.assertFalse(source.is_true(bad, "demo", what, "0.02"))
+
     def test_a_value_is_written_as_the_text_was(self):
         """As many digits as before, thousands parted, powers without a leading zero."""
         for value, text, written in ((57.4712, "60.0", "57.5"), (182_731, "285,000", "183,000"), (1.0234e-3, "1.1e-3", "1.0e-3"), (7.0, "12", "7"),

@@ -272,7 +272,7 @@ class Asked(Folder):
         began = lambda: (Path(run) / "log.txt").exists() and len(hashes_in_log(run)) > 2
         self.assertTrue(wait_for(began))
         ask(process, Path(run))
-        _, text = process.communicate(timeout=300)
+        _, text = process.communicate(timeout=900)
         self.assertEqual(process.returncode, 0, text)
         result = summary(run)
         self.assertEqual(result["status"], "stopped")
@@ -297,8 +297,10 @@ class Asked(Folder):
     def test_by_wall_time(self):
         """Requirement: --walltime stops a run within a step of the time given."""
         whole, run = self.smash("whole"), self.path("run")
-        too_little = 0.3 * summary(whole)["wall_seconds"]
-        self.program.must_run(SMASHED, "--out", run, "--until", SHORT_UNTIL, "--walltime", too_little)
+        for share in (0.3, 0.1, 0.03, 0.01):  # of the time that it took on a machine that may have been busier then
+            self.program.must_run(SMASHED, "--out", run, "--force", "--until", SHORT_UNTIL, "--walltime", share * summary(whole)["wall_seconds"])
+            if summary(run)["status"] == "stopped":
+                break
         self.assertEqual(summary(run)["reason"], "wall time used up")
         self.program.must_run(SMASHED, "--restart", run, "--until", SHORT_UNTIL)
         self.assertEqual(differences(whole, run), [])
@@ -311,7 +313,7 @@ class Asked(Folder):
         self.assertTrue(wait_for(lambda: (run / "log.txt").exists() and len(hashes_in_log(run)) > 2))
         (run / "output_now").touch()
         self.assertTrue(wait_for(lambda: not (run / "output_now").exists()))
-        process.communicate(timeout=300)
+        process.communicate(timeout=900)
         self.assertEqual(process.returncode, 0)
         self.assertEqual(len(checkpoints(run)), 2)
         left = len(list((run / "frames").glob("fields_*"))) - len(list((Path(whole) / "frames").glob("fields_*")))
@@ -332,7 +334,7 @@ class Asked(Folder):
             process.send_signal(signal.SIGSTOP)
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGCONT)
-        process.communicate(timeout=300)
+        process.communicate(timeout=900)
         return process.returncode
 
     def test_twice(self):

@@ -49,7 +49,7 @@ beside it, still swings at this speed. Theory: 1.815e-3 at first yield from slip
 the bar's strain between cracks is counted twice, once by the slip law and once by the element: it yields later than a bare bar, which cannot be.""", (21, 22)),
     "demo_beam": Case("Demo beam", """The beam of `make demo`: four-point bending, span 1.0 m, two bars of 8 mm. References: section analysis of the plain section (first
 crack), of the cracked one (yield) and with a rectangular block of stress (strength), without tension between the cracks; cracks narrower than a fifth of a millimetre still carry some, so the demo lies above (the tolerances, 15 and 20 %, were chosen after a first run). Loads are means over
-half a millimetre of the jacks' way. The position of a bar inside the cells must not matter: shifted by 1e-3 of the element size, the load-deflection curve up to yield stays within 2 % of the yield load on average."""),
+3 ms, the period of the beam's vibration. The position of a bar inside the cells must not matter: shifted by 1e-3 of the element size, the load-deflection curve up to yield stays within 2 % of the yield load on average."""),
     "compression": Case("Compression of a plain prism", """A prism of 100 x 100 x 200 mm, f_c = 30 MPa, between frictionless platens. The model knows no crushing: it fails by sliding joints, and
 Mohr-Coulomb with `c` from `f_c` gives `f_c` on planes at 27 degrees to the load. An unstructured mesh and Kuhn cells twice as high as wide have such planes. Kuhn cubes have none: their steepest plane, at 45 degrees,
 slides at `2 c/(1 - tan phi)` = 55.9 MPa, so there the strength is that and not `f_c`."""),

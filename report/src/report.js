@@ -99,7 +99,7 @@ function quasiStatic(meta, curves) {
   const quiet = run ? run.quasi_static ?? (share > 0.9 && balanced) : untilPeak > 0.9;
   const loud = () => loudMoments(curves, ratio, marks, peak, { untilPeak, balance, balanced });
   const numbers = [];
-  if (run) numbers.push(`Kinetic over internal energy is below 5\u202f% in ${percent(share)} of the time (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}${run.vibration_period > 0 ? ` (means over ${quantity(run.vibration_period, "s", 2)}, a vibration of the body)` : ""}.`);
+  if (run) numbers.push(`Kinetic over internal energy is below 5\u202f% in ${percent(share)} of the time (max_kinetic_ratio ${digits(run.max_kinetic_ratio, 2)}), forces are out of balance by ${percent(balance)}${run.vibration_period > 0 ? ` (vibrations of up to ${quantity(run.vibration_period, "s", 2)} smoothed away)` : ""}.`);
   if (untilPeak !== null) numbers.push(`Up to the peak: ${percent(untilPeak, 3)} of the readings.`);
   if (quiet) return verdict("good", "Quasi-static", numbers.join(" "));
   if (meta.deck.dynamic) return verdict("plain", "Dynamic", `Inertia takes part, as the case asks for. ${numbers[0] ?? ""}`);

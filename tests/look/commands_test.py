@@ -22,7 +22,7 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 def fissura(*words, **environment):
     return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, env={**os.environ, **{k: str(v) for k, v in environment.items()}},
-                          timeout=120)
+                          timeout=900)
 
 
 def has_page():
@@ -187,7 +187,7 @@ class Commands(unittest.TestCase):
         """A case that needs more memory than there is ends with 1 and the way to learn what it needs."""
         little = lambda: resource.setrlimit(resource.RLIMIT_AS, (500 << 20, 500 << 20))
         done = subprocess.run([PROGRAM, "check", str(DECK), "--set", "mesh.box.0.cells=[400,100,100]"], capture_output=True, text=True,
-                              preexec_fn=little, timeout=120)
+                              preexec_fn=little, timeout=900)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("fissura: out of memory; `fissura check` tells what a case needs", done.stderr)
 
@@ -274,7 +274,7 @@ class Commands(unittest.TestCase):
             self.skipTest("no terminal to be had: /dev/pts is not mounted")
         words = " ".join([PROGRAM, "run", str(DECK), *[w for w in SMALL if w != "--quiet"], "--until", "1e-4", "--force", "--out", str(self.folder / "colour")])
         for environment, coloured in (({}, True), ({"NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False)):
-            done = subprocess.run(["script", "-qec", words, "/dev/null"], capture_output=True, text=True, timeout=60,
+            done = subprocess.run(["script", "-qec", words, "/dev/null"], capture_output=True, text=True, timeout=900,
                                   env={**{k: v for k, v in os.environ.items() if k != "NO_COLOR"}, "TERM": "xterm", **environment}, stdin=subprocess.DEVNULL)
             self.assertEqual("\x1b[33m" in done.stdout, coloured, environment)
 

@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def cmake(*words, **environment):
-    return subprocess.run(["cmake", *map(str, words)], capture_output=True, text=True, env={**os.environ, **environment}, timeout=120)
+    return subprocess.run(["cmake", *map(str, words)], capture_output=True, text=True, env={**os.environ, **environment}, timeout=900)
 
 
 class NoPage(unittest.TestCase):

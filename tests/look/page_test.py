@@ -45,7 +45,7 @@ class Page(unittest.TestCase):
         cls.folder = Path(cls.scratch.name)
         cls.finished = cls.folder / "run"
         done = subprocess.run([cls.program, "run", str(DECK), "--set", "mesh.box.0.cells=[16,2,3]", "--set", 'title="<b>demo</b> & more"', "--quiet", "--threads", "1",
-                               "--until", "0.02", "--out", str(cls.finished)], capture_output=True, text=True, timeout=200)
+                               "--until", "0.02", "--out", str(cls.finished)], capture_output=True, text=True, timeout=900)
         assert done.returncode == 0, done.stderr
         cls.browser = Browser()
 
@@ -117,7 +117,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("document.querySelector('#load h2').textContent"), "Load and displacement")
         for deck, title in ((IMPACT, "Force and displacement"), (CYCLIC, "Hysteresis")):
             out = self.folder / deck.stem
-            done = subprocess.run([self.program, "run", str(deck), "--quiet", "--threads", "1", "--out", str(out)], capture_output=True, text=True, timeout=200)
+            done = subprocess.run([self.program, "run", str(deck), "--quiet", "--threads", "1", "--out", str(out)], capture_output=True, text=True, timeout=900)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.fresh(out / "report.html")
             self.assertEqual(self.browser.evaluate("document.querySelector('#load h2').textContent"), title)

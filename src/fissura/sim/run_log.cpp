@@ -60,7 +60,7 @@ void log_verdict(Log& log, Model const& m, State const& s, Monitor const& monito
            "of balance by {:.2g} %{}: {}",
            100 * inertia.quiet_share, monitor.kinetic_ratio(), 100 * inertia.imbalance,
            inertia.period > 0
-               ? fmt::format(", both as means over {:.3g} ms, a vibration of the body", 1e3 * inertia.period)
+               ? fmt::format(" (vibrations of up to {:.3g} ms smoothed away)", 1e3 * inertia.period)
                : "",
            inertia.is_quasi_static() ? "quasi-static"
            : is_paced(m)             ? "inertia matters (else lower `pace_kinetic`, or load more slowly)"

@@ -26,7 +26,7 @@ STOPS = ('--set', 'run.max_steps=45')
 def run(program, out, environment, *arguments, begin='--out'):
     return subprocess.run([program, 'run', CASE, begin, out, '--quiet', '--threads', '1', *arguments],
                           env={**os.environ, **environment}, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          timeout=120, cwd=os.path.dirname(out) if os.path.isdir(os.path.dirname(out)) else None)
+                          timeout=900, cwd=os.path.dirname(out) if os.path.isdir(os.path.dirname(out)) else None)
 
 
 def is_whole_frame(path):

@@ -63,8 +63,8 @@ TEST(Requests, know_no_time_at_all) {
 
 // Requirement: the wall time counts from the start.
 TEST(Requests, know_the_wall_time) {
+  EXPECT_FALSE(Requests({}, 1e6).to_stop()); // no limit that a busy machine could pass
   Requests requests({}, 0.02);
-  EXPECT_FALSE(requests.to_stop());
   std::this_thread::sleep_for(std::chrono::milliseconds(30));
   EXPECT_EQ(requests.to_stop().value_or(""), "wall time used up");
 }
