@@ -11,7 +11,8 @@ namespace fissura::mesh {
 
 /// Three of the corners 0 ... 3 of a tet, as bytes: every joint has two of them.
 using FaceCorners = std::array<std::uint8_t, 3>;
-/// Face f of a tet lies opposite to its corner f; its corners are listed so that the normal points out of the tet.
+/// Face f of a tet lies opposite to its corner f; its corners are listed so that the normal points out of the
+/// tet.
 inline constexpr std::array<FaceCorners, 4> face_corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// A named set of triangles on the faces of tets (a gmsh physical surface, or a side of a box).
@@ -34,8 +35,8 @@ struct TetSet {
   std::string name;
   std::vector<int> tets; ///< ascending
 };
-/// One more name of groups of one dimension. They make up together what the name stands for; or it is the name of
-/// each of them, and nobody can say which is meant.
+/// One more name of groups of one dimension. They make up together what the name stands for; or it is the
+/// name of each of them, and nobody can say which is meant.
 struct GroupAlias {
   std::string name;
   int dimension = 0;               ///< 0 ... 3: points, curves, surfaces, volumes
@@ -44,18 +45,18 @@ struct GroupAlias {
 };
 
 struct Mesh {
-  std::vector<Vec3> points;                  ///< reference positions [m]
-  std::vector<std::array<int, 4>> tets;      ///< point indices, positive volume
-  std::vector<int> tet_group;                ///< per tet: index into volume_groups
-  std::vector<std::string> volume_groups;    ///< at least one
-  std::vector<int> tet_body;                 ///< per tet: what is not joined to other bodies; empty: one body
+  std::vector<Vec3> points;               ///< reference positions [m]
+  std::vector<std::array<int, 4>> tets;   ///< point indices, positive volume
+  std::vector<int> tet_group;             ///< per tet: index into volume_groups
+  std::vector<std::string> volume_groups; ///< at least one
+  std::vector<int> tet_body;              ///< per tet: what is not joined to other bodies; empty: one body
   std::vector<FaceGroup> face_groups;
   std::vector<LineGroup> line_groups;
   std::vector<PointGroup> point_groups;
   std::vector<TetSet> tet_sets;
   std::vector<GroupAlias> aliases;
-  std::vector<int> input_id;                 ///< per tet: its number in the input, before renumbering
-  std::vector<std::string> notes, doubts;    ///< what the reader left out, and what of it may be missed
+  std::vector<int> input_id;              ///< per tet: its number in the input, before renumbering
+  std::vector<std::string> notes, doubts; ///< what the reader left out, and what of it may be missed
 };
 
 /// One side of a tet.
@@ -64,8 +65,8 @@ struct TetFace {
   int face = -1;
 };
 
-/// Two tets that share a face. The local corners correspond: corner_a[k] and corner_b[k] are the same point, and
-/// (corner_a[0], corner_a[1], corner_a[2]) turns so that the normal points from a to b. tet_a < tet_b.
+/// Two tets that share a face. The local corners correspond: corner_a[k] and corner_b[k] are the same point,
+/// and (corner_a[0], corner_a[1], corner_a[2]) turns so that the normal points from a to b. tet_a < tet_b.
 struct SharedFace {
   TetFace a, b;
   FaceCorners corner_a{}, corner_b{};
@@ -74,8 +75,9 @@ struct SharedFace {
 /// Who touches whom. shared is sorted by (tet_a, face_a): a fixed order for every run.
 struct Adjacency {
   std::vector<SharedFace> shared;
-  std::vector<TetFace> boundary;                 ///< faces with one tet only, sorted by (tet, face)
-  std::vector<std::array<int, 4>> shared_of_tet; ///< per tet and face: index into shared, or -1 on the boundary
+  std::vector<TetFace> boundary; ///< faces with one tet only, sorted by (tet, face)
+  std::vector<std::array<int, 4>>
+      shared_of_tet; ///< per tet and face: index into shared, or -1 on the boundary
 };
 
 /// Throws core::InputError where more than two tets share a face.

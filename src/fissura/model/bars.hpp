@@ -21,7 +21,7 @@ struct BarProperties {
   double initial_strain = 0; ///< eps_0 [-]
   CrackSpacing crack_spacing = CrackSpacing::automatic;
   double l_cr = 0; ///< [m] for CrackSpacing::given
-  int copies = 1; ///< `count` for each line of its curve
+  int copies = 1;  ///< `count` for each line of its curve
 };
 
 /// The straight piece of a bar inside one tet. Its ends P_0 and P_1 are carried by the tet: x = sum w_k x_k.
