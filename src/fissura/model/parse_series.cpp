@@ -151,7 +151,7 @@ class Reading {
     ++line_;
     auto const words = words_of(text);
     if (words.empty()) return;
-    bool const begun = !rows_.empty();
+    bool const begun = !values_.empty();
     if (is_comment(words)) {
       if (!begun) read_header_line(text, series_.header);
       return;
@@ -172,7 +172,7 @@ class Reading {
     refuse_decimal_commas();
     take_counting_row();
     if (undecided_) decide_layout();
-    if (rows_.size() < 2)
+    if (values_.size() < 2)
       throw InputError(Place{name_},
                        fmt::format("the {} needs at least two rows of {}", format_.what, wanted()));
     fill();
@@ -181,15 +181,12 @@ class Reading {
   }
 
  private:
-  struct Row {
-    double time, value;
-  };
   /// A row, or a header of numbers alone, that may count the values behind it.
   struct First {
     std::vector<double> numbers;
     std::string text;
     int line = 0;
-    std::size_t values = 0; ///< how many of its numbers stand in rows_
+    std::size_t values = 0; ///< how many of its numbers stand in values_
   };
 
   void refuse_decimal_commas() const {
@@ -258,12 +255,12 @@ class Reading {
   }
 
   void read_row(std::vector<Word> const& words, std::string_view text) {
-    bool const begins = rows_.empty() && all_.empty();
+    bool const begins = values_.empty() && all_.empty();
     if (undecided_) {
       for (auto const& w : words) all_.push_back(value(w)), si_.push_back(in_si(w));
       row_ends_.push_back(all_.size());
       if (all_.size() > most_rows) too_many();
-      rows_.push_back({0, 0}); // only says that rows have begun
+      values_.push_back(0); // only says that rows have begun
       return;
     }
     if (format_.time_column > 0)
@@ -271,7 +268,7 @@ class Reading {
     else
       spaced_row(words);
     if (begins && counts(words))
-      first_ = First{words_as_numbers(words), std::string(text), line_, rows_.size()};
+      first_ = First{words_as_numbers(words), std::string(text), line_, values_.size()};
   }
 
   double value(Word const& w) const {
@@ -301,40 +298,45 @@ class Reading {
   void timed_row(std::vector<Word> const& words) {
     auto const& time = cell(words, format_.time_column);
     double const t = value(time);
-    if (!rows_.empty() && !(t > rows_.back().time)) {
-      if (rows_.size() != 1 || first_.values == 0)
+    if (!times_.empty() && !(t > times_.back())) {
+      if (times_.size() != 1 || first_.values == 0)
         fail(time.column,
-             fmt::format("the times must increase from row to row: {} s after {} s{}", t, rows_.back().time,
-                         rows_.size() < 3 ? "; values without times need `time_step`" : ""));
-      rows_.clear(); // a count stood where the first time is due
+             fmt::format("the times must increase from row to row: {} s after {} s{}", t, times_.back(),
+                         times_.size() < 3 ? "; values without times need `time_step`" : ""));
+      times_.clear(), values_.clear(); // a count stood where the first time is due
       first_.values = 0;
     }
-    add(t, in_si(cell(words, format_.value_column)));
+    times_.push_back(t);
+    add(in_si(cell(words, format_.value_column)));
   }
 
   void spaced_row(std::vector<Word> const& words) {
-    if (format_.value_column > 0) return add(0, in_si(cell(words, format_.value_column)));
-    for (auto const& w : words) add(0, in_si(w));
+    if (format_.value_column > 0) return add(in_si(cell(words, format_.value_column)));
+    for (auto const& w : words) add(in_si(w));
   }
 
   [[noreturn]] void too_many() const {
     fail(1, fmt::format("the {} has more than {} values", format_.what, most_rows));
   }
-  void add(double t, double v) {
-    if (rows_.size() >= most_rows) too_many();
-    rows_.push_back({t, v});
+  void add(double v) {
+    if (values_.size() >= most_rows) too_many();
+    values_.push_back(v);
   }
 
   /// The first row, where it counts the values behind it, or names the deck's own step.
   void take_counting_row() {
     if (first_.numbers.empty()) return;
     double const count = count_in(first_.numbers), step = step_in(first_.numbers);
-    std::size_t const behind = (undecided_ ? all_.size() : rows_.size()) - first_.values;
+    std::size_t const behind = (undecided_ ? all_.size() : values_.size()) - first_.values;
     bool const counts_them = count == static_cast<double>(behind);
     bool const same = step > 0 && format_.time_step > 0 && std::abs(step / format_.time_step - 1) < 1e-6;
     bool const was_skipped = first_.values == 0;
     if (!counts_them && !same && !was_skipped) return;
-    rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(first_.values));
+    auto const drop = [&](std::vector<double>& column) {
+      if (!column.empty())
+        column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(first_.values));
+    };
+    drop(times_), drop(values_);
     auto& header = series_.header;
     if (header.count == 0 && (counts_them || step > 0)) header.count = static_cast<long>(count);
     if (header.step == 0 && step > 0) header.step = step, header.step_written = fmt::format("{} s", step);
@@ -355,13 +357,13 @@ class Reading {
               (i == 0 || std::abs(all_[begin] - all_[0] - static_cast<double>(i) * format_.time_step) <
                              0.5 * format_.time_step);
     }
-    rows_.clear();
+    values_.clear();
     if (timed) {
       for (std::size_t i = 0, begin = 0; i < row_ends_.size(); begin = row_ends_[i++])
-        rows_.push_back({all_[begin], si_[begin + 1]});
+        times_.push_back(all_[begin]), values_.push_back(si_[begin + 1]);
     } else {
       format_.time_column = format_.value_column = 0;
-      for (double const v : si_) rows_.push_back({0, v});
+      values_ = std::move(si_);
       series_.notes.push_back(
           fmt::format("{}: the step is that of the header, {}", name_, series_.header.step_written));
     }
@@ -369,10 +371,11 @@ class Reading {
 
   void fill() {
     Steps const steps(format_.time_step);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      series_.times.push_back(format_.time_column > 0 ? rows_[i].time : steps(i));
-      series_.values.push_back(rows_[i].value);
+    if (format_.time_column == 0) {
+      times_.reserve(values_.size());
+      for (std::size_t i = 0; i < values_.size(); ++i) times_.push_back(steps(i));
     }
+    series_.times = std::move(times_), series_.values = std::move(values_);
   }
 
   void compare_with_header() {
@@ -398,7 +401,7 @@ class Reading {
   Series series_;
   Commas commas_;
   First first_;
-  std::vector<Row> rows_;
+  std::vector<double> times_, values_; ///< times only where the file has them
   bool undecided_ = false;
   std::vector<double> all_, si_;      ///< while the layout is undecided: as they stand, and in SI
   std::vector<std::size_t> row_ends_; ///< in all_
