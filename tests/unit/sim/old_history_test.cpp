@@ -70,7 +70,8 @@ TEST_F(Old, file_of_a_killed_restart_is_cut_at_its_row) {
 // Requirement: what is not the file that was there is refused with the reason.
 TEST_F(Old, file_that_is_another_is_refused) {
   expect_refused("", "its columns are others than when the checkpoint was written");
-  expect_refused("t" + header.substr(1, 3) + "\n" + rows, "its columns are others than when the checkpoint was written");
+  expect_refused("t" + header.substr(1, 3) + "\n" + rows,
+                 "its columns are others than when the checkpoint was written");
   expect_refused(header + rows.substr(0, rows.size() - 1),
                  "it is shorter than when the checkpoint was written");
   expect_refused(header + rows.substr(0, rows.size() - 1) + "6\n",
