@@ -78,7 +78,8 @@ SharedFace shared_face(Mesh const& mesh, int side_a, int side_b) {
   auto const& ta = mesh.tets[s.a.tet];
   auto const& tb = mesh.tets[s.b.tet];
   for (int k = 0; k < 3; ++k)
-    s.corner_b[k] = static_cast<std::uint8_t>(std::find(tb.begin(), tb.end(), ta[s.corner_a[k]]) - tb.begin());
+    s.corner_b[k] =
+        static_cast<std::uint8_t>(std::find(tb.begin(), tb.end(), ta[s.corner_a[k]]) - tb.begin());
   return s;
 }
 

@@ -21,10 +21,11 @@ struct BoxCells {
 };
 
 /// One mesh of all boxes. Points of different boxes closer than 1e-9 of the largest extent are one point, so
-/// boxes of one body whose cells match on a common side are joined. Boxes of one name are one volume group. The sides of
-/// the boxes of a name are the face groups "<name>.x-", "<name>.x+", "<name>.y-", ...; a side between two
-/// boxes of the same name belongs to none, a side between two names to both. Tets are numbered box by box,
-/// cell by cell (x fastest). Throws core::InputError for impossible numbers and for boxes that overlap.
+/// boxes of one body whose cells match on a common side are joined. Boxes of one name are one volume group.
+/// The sides of the boxes of a name are the face groups "<name>.x-", "<name>.x+", "<name>.y-", ...; a side
+/// between two boxes of the same name belongs to none, a side between two names to both. Tets are numbered
+/// box by box, cell by cell (x fastest). Throws core::InputError for impossible numbers and for boxes that
+/// overlap.
 Mesh make_boxes(std::span<BoxCells const> boxes);
 
 } // namespace fissura::mesh

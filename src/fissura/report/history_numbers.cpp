@@ -79,7 +79,8 @@ int turns_of(model::Curve const& c) {
   return turns;
 }
 
-/// Whether some load goes to and fro on purpose: cycles, a table that turns twice, a path with several targets.
+/// Whether some load goes to and fro on purpose: cycles, a table that turns twice, a path with several
+/// targets.
 bool is_cyclic(model::Case const& c) {
   bool found = false;
   for (auto const& m : c.motions) {
@@ -107,7 +108,10 @@ void add_history(Blob& blob, std::string const& name, History const& history) {
 }
 
 output::Json describe_deck(RunFolder const& run) {
-  output::Json d = {{"gauges", output::Json::array()}, {"bars", output::Json::array()}, {"dynamic", false}, {"cyclic", false}};
+  output::Json d = {{"gauges", output::Json::array()},
+                    {"bars", output::Json::array()},
+                    {"dynamic", false},
+                    {"cyclic", false}};
   if (run.deck.empty()) return d;
   try {
     auto const c = deck::read_case_text(run.deck, run.path() + "/case.toml");

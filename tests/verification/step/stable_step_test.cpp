@@ -62,8 +62,8 @@ double energy(model::Model const& m, state::State& s, state::Scratch& w) {
   return e.held();
 }
 
-// Requirement: with 0.9 of the estimate, random velocities at all nodes of 1,000 random meshes stay bounded over 2,000
-// steps.
+// Requirement: with 0.9 of the estimate, random velocities at all nodes of 1,000 random meshes stay bounded
+// over 2,000 steps.
 TEST(StableStep, nine_tenths_of_the_estimate_is_stable) {
   for (int i = 0; i < 1000; ++i) {
     auto m = random_model(i);
