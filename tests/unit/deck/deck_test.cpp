@@ -543,7 +543,7 @@ TEST(Deck, EchoHoldsTheDefaults) {
   std::string const text = deck::echo(read_case_text(small, "case.toml"));
   for (auto const* line :
        {"nu = 0.2\n", "density = \"2500 kg/m3\"\n", "penalty = \"594.6 GPa\"\n",
-        "friction_angle = \"36 deg\"\n", "joint_law = \"energy_consistent\"\n", "dt_factor = 0.9\n",
+        "friction_angle = \"36 deg\"\n", "joint_law = \"energy_consistent\"\n", "dt_factor = 0.85\n",
         "dowel = true\n", "history_points = 1000\n", "tets_per_cell = 6\n", "h = \"volume\"\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
