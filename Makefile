@@ -97,7 +97,8 @@ properties: setup-tests
 	cmake --build $(BUILD) -j $(JOBS) --target laws_laws unit_rebar verification_step verification_sim
 	FISSURA_RANDOM=$(RANDOM_CASES) $(BUILD)/tests/laws_laws --gtest_filter='Random*'
 	FISSURA_RANDOM=10000 $(BUILD)/tests/unit_rebar --gtest_filter='Random*'
-	FISSURA_RANDOM=1000 $(BUILD)/tests/verification_sim --gtest_filter='Random*'
+	set -e; for set in scalar v2 v3; do echo "kernels $$set"; \
+	  FISSURA_KERNELS=$$set FISSURA_RANDOM=2600 $(BUILD)/tests/verification_sim --gtest_filter='Random*'; done
 	FISSURA_STEPS=1000000 $(BUILD)/tests/verification_step --gtest_filter='Long*'
 
 # All cases, an hour or more; also draws all figures and writes the verification page.
