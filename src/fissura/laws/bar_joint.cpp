@@ -1,5 +1,6 @@
 #include "fissura/laws/bar_joint.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "fissura/core/error.hpp"
@@ -35,14 +36,16 @@ BarJointParams make_bar_joint_params(BarJointInput const& in) {
   return p;
 }
 
-void activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
-              double stored) noexcept {
+double activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
+                double stored) noexcept {
   h = {};
   h.activated = true;
   h.S_0 = S_0, h.t_0 = t_0, h.stored_0 = stored;
   h.bond.sigma_cr = sigma_cr;
   h.strain = bond_strain(p.bond, h.bond, 0, 1);
   h.sigma = steel_stress(p.steel, h.steel, h.strain);
+  bool const keeps_its_stress = std::abs(h.sigma - sigma_cr) <= 1e-9 * p.steel.f_y;
+  return keeps_its_stress ? 0 : stored - bar_joint_axial_stored(p, h);
 }
 
 BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, double S, double t_s,

@@ -57,8 +57,10 @@ struct BarJointDissipation {
 };
 
 /// The crack has opened: remember the step before. `stored` is the energy of the uncracked joint then [J].
-void activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
-              double stored) noexcept;
+/// Returns the energy lost [J]: none, unless the bar was stressed beyond its yield stress (prestress, and the
+/// concrete's strain on top), which its steel drops to.
+double activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
+                double stored) noexcept;
 
 /// Forces at the slip S and the length t_s of the transverse half slip, both counted from activation [m].
 /// Advances the history and adds what the step dissipates [J] to `lost`. A ruptured joint carries nothing.

@@ -26,8 +26,9 @@ class JointStep {
     auto& h = s_.history[i_];
     if (!h.activated && law_.crackable && some_face_separates()) {
       auto const& before = s_.motion[i_];
-      laws::activate(law_.activated, h, before.slip_from_start, {before.t_1, before.t_2, 0},
-                     s_.joint_stress[i_], before.held);
+      s_.account[i_].bond_steel +=
+          laws::activate(law_.activated, h, before.slip_from_start, {before.t_1, before.t_2, 0},
+                         s_.joint_stress[i_], before.held);
     }
     if (h.activated) {
       slide(h);
