@@ -149,10 +149,10 @@ class GoingOn(Folder):
         """Requirement: going on from an older checkpoint in its own folder drops what came after it: newer checkpoints, rows,
         frames, lines of the log."""
         whole = self.smash("whole")
-        run = self.smash("run", "--set", "output.checkpoint_steps=300")
+        run = self.smash("run", "--set", "output.checkpoint_steps=500")
         older = checkpoints(run)[0]
-        self.program.must_run(SMASHED, "--restart", older, "--until", SHORT_UNTIL, "--set", "run.max_steps=1000")
-        self.assertEqual(summary(run)["steps"], 1000)
+        self.program.must_run(SMASHED, "--restart", older, "--until", SHORT_UNTIL, "--set", "run.max_steps=1100")
+        self.assertEqual(summary(run)["steps"], 1100)
         log = (Path(run) / "log.txt").read_text()
         self.assertIn("goes on from", log)
         self.assertNotIn("time of --until", log)

@@ -5,11 +5,11 @@ import subprocess
 
 DECK = """
 title = "frames"
-[mesh]
 [[mesh.box]]
-size = ["400 mm", "100 mm", "100 mm"]
+name = "member"
+from = ["0 mm", "0 mm", "0 mm"]
+to = ["400 mm", "100 mm", "100 mm"]
 cells = [8, 2, 2]
-group = "member"
 [[concrete]]
 E = "30 GPa"
 f_t = "2 MPa"
@@ -44,7 +44,7 @@ velocity = {value = "0.5 m/s", over = "0.1 ms"}
 [[plane]]
 name = "floor"
 point = ["0 m", "0 m", "-200 mm"]
-normal = ["0", "0", "1"]
+normal = [0, 0, 1]
 [[impactor]]
 name = "ball"
 shape = "sphere"
@@ -52,6 +52,11 @@ centre = ["200 mm", "50 mm", "500 mm"]
 radius = "50 mm"
 mass = "4 kg"
 velocity = ["0 m/s", "0 m/s", "-1 m/s"]
+[[gauge]]
+name = "force"
+kind = "reaction"
+of = ["pull"]
+axis = "x"
 [run]
 end_time = "1 ms"
 [output]
@@ -64,7 +69,8 @@ def make_run(program, folder):
     """Runs it below `folder`; the run folder."""
     deck = folder / "tie.toml"
     deck.write_text(DECK)
-    done = subprocess.run([program, "run", str(deck), "--quiet", "--no-report", "--threads", "1"], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([program, "run", str(deck), "--out", str(folder / "tie.run"), "--quiet", "--no-report", "--threads", "1"],
+                          capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     return folder / "tie.run"
 

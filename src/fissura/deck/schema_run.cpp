@@ -24,7 +24,9 @@ Section run_section() {
   f.quantity("end_time", &RunSpec::end_time, Dimension::time,
              "End of the run; 0: the sum of the stages. Required without stages.")
       .not_negative();
-  f.number("dt_factor", &RunSpec::dt_factor, "The time step over the stable one. Above 0.86 joints that open and close may gain energy.").range({0, 1, true, false});
+  f.number("dt_factor", &RunSpec::dt_factor,
+           "The time step over the stable one. Above 0.86 joints that open and close may gain energy.")
+      .range({0, 1, true, false});
   f.quantity("dt", &RunSpec::dt, Dimension::time, "A fixed time step; 0: from the stable one.")
       .not_negative();
   f.quantity("least_dt", &RunSpec::least_dt, Dimension::time,

@@ -104,7 +104,10 @@ void check_volume_groups(Mesh const& m, Findings& findings) {
   }
   findings.add(lost, "tets that belong to no volume group");
   for (std::size_t g = 0; g < size.size(); ++g)
-    if (size[g] == 0) findings.add(fmt::format("volume group '{}' is empty", m.volume_groups[g]));
+    if (size[g] == 0)
+      findings.add(fmt::format("volume group '{}' is empty; a .msh of format 2.2 saved with Mesh.SaveAll "
+                               "loses its groups: save as 4.1",
+                               m.volume_groups[g]));
 }
 
 void check_volumes(Mesh const& m, Findings& findings) {

@@ -125,6 +125,10 @@ std::vector<Plant> all_numbers(state::State& s) {
     if (name.starts_with("joint_history")) continue;
     if (name == "u.values[]" || name == "v.values[]")
       for (std::size_t const i : {0U, 1U, 2U, 101U, 202U}) all.push_back(items[i]);
+    else if (std::string const joint = "bars.history[" + std::to_string(slips) + "]";
+             name.starts_with("bars.history["))
+      all.push_back(*std::find_if(items.begin(), items.end(),
+                                  [&](Plant const& p) { return p.name.starts_with(joint); }));
     else
       all.push_back(items[items.size() == s.bars.history.size() ? slips : items.size() / 2]);
   }

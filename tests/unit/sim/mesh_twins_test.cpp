@@ -140,6 +140,11 @@ TEST(MeshTwins, a_geometry_is_what_gmsh_saves) {
                           {"g.inp", 4.1, 0}}) {
       SCOPED_TRACE(s.file);
       save(folder / "g.geo", folder / s.file, s.version, s.binary);
+      bool const saves_all = std::string(geometry.text).find("SaveAll") != std::string::npos;
+      if (saves_all && s.version < 4) { // gmsh writes every element without its group
+        EXPECT_THROW(build(folder, s.file, geometry.deck), core::InputError);
+        continue;
+      }
       expect_equal(from_geo, build(folder, s.file, geometry.deck), geometry);
     }
   }
