@@ -97,7 +97,7 @@ def write_picture(example, run, runs, name, path):
             figures.FIGURES[example.figure][0](runs, drawn)
         shutil.copyfile(drawn, path)
         return
-    times = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
+    times = [t for t, _ in read_pvd(run.folder / "fields.pvd")]
     if example.cracks_before:
         broken = np.flatnonzero(run.history[example.cracks_before].values > 0)
         if broken.size:

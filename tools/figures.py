@@ -113,7 +113,7 @@ def fig22(runs, out):
         # The last frame before the bar ruptures.
         broken = measure.first(measure.column(run, "bars_broken") > 0)
         until = measure.column(run, "time")[broken] if broken else np.inf
-        times = [t for t, _ in read_pvd(run.folder / "cracks.pvd") if t < until]
+        times = [t for t, _ in read_pvd(run.folder / "fields.pvd") if t < until]
         moment, scene = picture.make_scene(run, times[-1], 1.0, 0.5)
         scenes.append(wide(scene, 0.5))
         titles.append(f"mesh {mesh}, h = {size}, t = {moment:.3f} s")
@@ -181,7 +181,7 @@ def fig33(runs, out):
         _, mean, w = beam_curve(run)
         time = measure.column(run, "time")[-len(mean):]
         top = time[int(np.argmax(np.where(time < time[-1] - measure.SHOCK / 2, mean, 0)))]
-        frames = [t for t, _ in read_pvd(run.folder / "cracks.pvd")]
+        frames = [t for t, _ in read_pvd(run.folder / "fields.pvd")]
         scenes, titles = [], []
         for t in sorted({*[t for t in frames if t <= top][-3:], frames[-1]}):
             moment, scene = picture.make_scene(run, t, 5.0, 0.5)
