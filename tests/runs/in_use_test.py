@@ -14,7 +14,7 @@ from run_pairs import ROOT, Program, checkpoints, differences, hashes_in_log, su
 
 PROGRAM = ROOT / "build" / "fissura"
 DECK = ROOT / "tests" / "runs" / "tie.toml"
-LONG = ("--set", "stage.1.duration=1000 s", "--set", "output.history_every=0.1 ms", "--set", "output.frames=0", "--set",
+LONG = ("--set", "stage.1.duration=100 s", "--set", "output.history_every=0.1 ms", "--set", "output.frames=0", "--set",
         "output.frames_every=0 s", "--set", "output.hash_every=100", "--set", "concrete.0.crackable=false")
 
 
@@ -209,7 +209,7 @@ class Vanishing(Folder):
         shutil.rmtree(run)
         self.loses(lambda: shutil.rmtree(run / "checkpoints"), "checkpoints", "--set", "output.checkpoint_steps=200")
         shutil.rmtree(run)
-        self.loses(lambda: shutil.rmtree(run / "frames"), "frames", "--set", "output.frames_every=1 ms")
+        self.loses(lambda: shutil.rmtree(run / "frames"), "frames", "--set", "output.frames_every=1 ms", "--set", "stage.1.duration=10 s")
         shutil.rmtree(run)
         self.loses(lambda: shutil.rmtree(run, ignore_errors=True), "cannot")
 
