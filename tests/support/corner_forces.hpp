@@ -12,7 +12,7 @@ inline double corner_forces(model::Model const& m, state::State& s, state::Scrat
                             core::NodeField& force, concrete::KernelSet const& set = concrete::kernels()) {
   if (force.nodes() == 0) force = core::NodeField(node_slots(m));
   concrete::TetPass const pass{&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(),
-                               dt,      0,          0,          {},        {}};
+                               dt,      0,          0,          {},        {},         false};
   return set.tet_forces(pass, 0, m.tets.blocks()).viscous;
 }
 

@@ -48,7 +48,7 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, core::
       double const sense = old > 0 ? 1 : old < 0 ? -1 : 0;
       sums.local_damping += mass * damped * sense * 0.5 * (old + v) * dt;
       sums.gravity += mass * ratio * pass.gravity_mean[r] * v * dt;
-      sums.kinetic += 0.125 * mass * (old + v) * (old + v);
+      sums.kinetic.add(mass, old, v);
     }
   }
   return sums;
@@ -80,16 +80,17 @@ void corner_forces(Model const& m, State& s, Scratch const& w, TakeForces const&
   parallel::for_chunks(
       m.tets.blocks(), blocks_per_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         alignas(64) std::array<double, blocks_per_chunk * doubles_per_block> force;
-        run({&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(), 0, 0, 0, {}, {}}, begin,
-            end);
+        run({&m.tets, s.u.data(), s.v.data(), &w.joints, &w.overlay, force.data(), 0, 0, 0, {}, {}, false},
+            begin, end);
         take(4 * model::block * begin, {force.data(), (end - begin) * doubles_per_block});
       });
 }
 
-TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean) {
+TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
+                                 bool reads_energy) {
   auto const& stage = m.stages[s.stage];
-  TetPass const pass{&m.tets, s.u.data(),         s.v.data(),          &w.joints, &w.overlay,  nullptr,
-                     m.dt,    stage.mass_damping, stage.local_damping, gravity,   gravity_mean};
+  TetPass const pass{&m.tets, s.u.data(),         s.v.data(),          &w.joints, &w.overlay,   nullptr,
+                     m.dt,    stage.mass_damping, stage.local_damping, gravity,   gravity_mean, reads_energy};
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {

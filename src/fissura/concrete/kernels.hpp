@@ -36,6 +36,7 @@ struct TetPass {
   double local_damping; ///< alpha [-]
   Vec3 gravity;         ///< acceleration now [m/s2]
   Vec3 gravity_mean;    ///< mean of now and of the next step, for its work
+  bool reads_energy;    ///< the whole of the kinetic energy is asked for
 };
 
 /// One set of kernels per instruction set; [begin, end) are blocks.

@@ -186,7 +186,7 @@ template <class V> struct TetPack {
 
   /// Central differences, Eq. 1: v(n-1/2), u(n) -> v(n+1/2), u(n+1), with mass-proportional and local
   /// damping.
-  void integrate(V (&sums)[3]) {
+  void integrate(V (&sums)[4]) {
     V const zero(0.0), half(0.5), dt(pass.dt), alpha(pass.local_damping);
     V const ratio = pass.tets->any_scaled ? load<V>(constant(pass.tets->weight_ratio, 1)) : V(1.0);
     V const keep(1 - 0.5 * pass.mass_damping * pass.dt), scale(1 / (1 + 0.5 * pass.mass_damping * pass.dt));
@@ -215,6 +215,10 @@ template <class V> struct TetPack {
       sums[0] += half * mass * core::dot(mid, mid);
       sums[1] += mass * core::dot(lost, mid);
       sums[2] += mass * core::dot(gm, v[a]);
+      if (pass.reads_energy) {
+        Vec<V> const change = v[a] - old;
+        sums[3] += V(0.125) * mass * core::dot(change, change);
+      }
     }
     core::store_tets<V>(pass.u + core::per_tet * first_tet(), u);
     core::store_tets<V>(pass.v + core::per_tet * first_tet(), v);
@@ -243,7 +247,7 @@ template <class V> struct TetPack {
 }
 
 template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t begin, std::size_t end) {
-  V viscous(0.0), sums[3] = {V(0.0), V(0.0), V(0.0)};
+  V viscous(0.0), sums[4] = {V(0.0), V(0.0), V(0.0), V(0.0)};
   for (std::size_t b = begin; b < end; ++b) {
     prefetch_block(pass, b, end);
     for (int lane = 0; lane < model::block; lane += core::lanes<V>) {
@@ -260,7 +264,7 @@ template <class V> state::TetSums tet_forces(TetPass const& pass, std::size_t be
   }
   state::TetSums r;
   r.viscous = core::sum_lanes(viscous) * pass.dt;
-  r.kinetic = core::sum_lanes(sums[0]);
+  r.kinetic = {core::sum_lanes(sums[0]), core::sum_lanes(sums[3])};
   r.local_damping = core::sum_lanes(sums[1]) * pass.dt;
   r.gravity = core::sum_lanes(sums[2]) * pass.dt;
   return r;

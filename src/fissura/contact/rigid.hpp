@@ -26,8 +26,8 @@ state::RigidState make_rigid_state(model::Model const& m);
 void rigid_forces(model::Model const& m, state::State& s, state::Scratch& w);
 
 struct ImpactorEffects {
-  double kinetic = 0; ///< of the impactors at n [J]
-  double gravity = 0; ///< work of gravity on them over u_n -> u_(n+1) [J]
+  state::Kinetic kinetic; ///< of the impactors
+  double gravity = 0;     ///< work of gravity on them over u_n -> u_(n+1) [J]
 };
 /// Integrates the impactors as Eq. (1) does a node, without damping: v(n-1/2), u(n) -> v(n+1/2), u(n+1).
 ImpactorEffects move_impactors(model::Model const& m, state::State& s, Vec3 gravity, Vec3 gravity_mean);

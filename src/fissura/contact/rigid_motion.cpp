@@ -26,7 +26,7 @@ ImpactorEffects move_impactors(Model const& m, State& s, Vec3 gravity, Vec3 grav
       b.u[r] += m.dt * b.v[r];
       effects.gravity += body.mass * gravity_mean[r] * b.v[r] * m.dt;
     }
-    effects.kinetic += 0.125 * body.mass * dot(old + b.v, old + b.v);
+    for (int r = 0; r < 3; ++r) effects.kinetic.add(body.mass, old[r], b.v[r]);
   }
   return effects;
 }

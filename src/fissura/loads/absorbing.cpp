@@ -32,8 +32,9 @@ AbsorbingEffects absorb(Model const& m, State& s, FreeStep const& step, model::A
              mid_free = 0.5 * (before + free);
   AbsorbingEffects e;
   e.absorbed = step.dt * dot(mid, p.damping * mid);
-  e.kinetic = 0.5 * p.mass * (dot(mid, mid) - dot(mid_free, mid_free));
   e.gravity = p.mass * p.weight_ratio * step.dt * dot(gravity_mean, now - free);
+  for (int r = 0; r < 3; ++r)
+    e.kinetic.add(p.mass, before[r], now[r]), e.kinetic.add(-p.mass, before[r], free[r]);
   for (int r = 0; r < 3; ++r)
     e.local_damping += step.alpha * p.mass * std::abs(step.acceleration(before[r], free[r])) *
                        sign(before[r]) * (mid[r] - mid_free[r]) * step.dt;

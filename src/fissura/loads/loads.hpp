@@ -26,7 +26,7 @@ void note_velocities(model::Model const& m, state::State const& s, state::Scratc
 /// What the dashpots changed beside u and v: the tet pass had integrated their nodes as free ones.
 struct AbsorbingEffects {
   double absorbed = 0;      ///< by the dashpots in this step [J]
-  double kinetic = 0;       ///< to add to the kinetic energy at n [J]
+  state::Kinetic kinetic;   ///< to add to that of the step
   double gravity = 0;       ///< to add to the work of gravity over u_n -> u_(n+1) [J]
   double local_damping = 0; ///< to add to the local damping [J]
   AbsorbingEffects& operator+=(AbsorbingEffects const& b) {
@@ -48,7 +48,7 @@ double take_hold(model::Model const& m, state::State& s);
 struct MotionEffects {
   double work_done = 0;     ///< completes the work of the supports up to u_n [J]
   double work_next = 0;     ///< first half of the work over u_n -> u_(n+1) [J]
-  double kinetic = 0;       ///< to add to the kinetic energy at n [J]
+  state::Kinetic kinetic;   ///< to add to that of the step
   double gravity = 0;       ///< to add to the work of gravity over u_n -> u_(n+1) [J]
   double local_damping = 0; ///< to add to the local damping [J]
 };

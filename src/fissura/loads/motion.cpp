@@ -27,7 +27,8 @@ double velocity_of(model::Prescribed const& p, Model const& m, State const& s) {
 
 /// What imposing one prescribed component did to a range of its nodes.
 struct NodeSums {
-  double reaction = 0, kinetic = 0, gravity = 0, local_damping = 0;
+  double reaction = 0, gravity = 0, local_damping = 0;
+  state::Kinetic kinetic;
   NodeSums& operator+=(NodeSums const& b) {
     reaction += b.reaction, kinetic += b.kinetic, gravity += b.gravity, local_damping += b.local_damping;
     return *this;
@@ -42,7 +43,7 @@ NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep c
     double& v = s.v(node, p.axis);
     double const free = v, mass = m.mass[node], a = step.acceleration(before, free);
     sum.reaction += mass * ((now - before) / step.dt + 0.5 * step.c * (before + now) - a);
-    sum.kinetic += 0.125 * mass * ((before + now) * (before + now) - (before + free) * (before + free));
+    sum.kinetic.add(mass, before, now), sum.kinetic.add(-mass, before, free);
     double const sense = before > 0 ? 1 : before < 0 ? -1 : 0;
     sum.local_damping -= step.alpha * mass * std::abs(a) * sense * 0.5 * (before + free) * step.dt;
     sum.gravity += mass * m.tets.weight_ratio[node / 4] * gravity * (now - free) * step.dt;

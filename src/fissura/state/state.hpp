@@ -10,6 +10,7 @@
 #include "fissura/state/contact_state.hpp"
 #include "fissura/state/joint_batch.hpp"
 #include "fissura/state/joint_history.hpp"
+#include "fissura/state/kinetic.hpp"
 #include "fissura/state/overlay.hpp"
 #include "fissura/state/rigid_state.hpp"
 
@@ -77,7 +78,7 @@ struct State {
 struct TetSums {
   double viscous = 0, local_damping = 0; ///< [J] dissipated in this step
   double gravity = 0;                    ///< [J] work of gravity over u_n -> u_(n+1)
-  double kinetic = 0;                    ///< [J] at step n
+  Kinetic kinetic;
 };
 
 /// How many lanes of a group of joints are taken: at its front, and at its far end.

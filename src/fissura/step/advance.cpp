@@ -35,18 +35,19 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, Effects c
     l.absolute_work += std::abs(work);
   };
   l.viscous += sums.viscous;
-  double const kinetic = sums.kinetic + waves.kinetic + motion.kinetic;
+  state::Kinetic kinetic = sums.kinetic;
+  kinetic += waves.kinetic, kinetic += motion.kinetic;
   // c m v^2 by the trapezoidal rule over u_(n-1) -> u_n
   if (s.step > 0)
-    l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic);
-  l.kinetic_before = kinetic;
+    l.mass_damping += loads::current_stage(m, s).mass_damping * m.dt * (l.kinetic_before + kinetic.at_n);
+  l.kinetic_before = kinetic.at_n;
   l.local_damping += sums.local_damping + waves.local_damping + motion.local_damping;
   l.absorbed += waves.absorbed;
   put_in(l.work_supports, impact);
   put_in(l.work_supports, motion.work_done);
   if (reading) {
-    reading->kinetic = kinetic;
-    reading->impactors = impactors.kinetic;
+    reading->kinetic = kinetic.kept();
+    reading->impactors = impactors.kinetic.kept();
     read_flows(*reading, m, s);
   }
   put_in(l.work_supports, motion.work_next);
@@ -74,7 +75,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s, &w.joints);
   auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
-      m, s, w, gravity, gravity_mean);
+      m, s, w, gravity, gravity_mean, reading != nullptr);
   auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
   auto const motion = loads::move_supports(m, s, gravity_mean);  // prescribed motion, reactions
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);

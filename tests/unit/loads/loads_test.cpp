@@ -79,7 +79,7 @@ TEST(MoveSupports, a_support_holds_its_nodes) {
   EXPECT_NEAR(c.s.reaction[0], (c.m.mass[3] + c.m.mass[8]) * -free / dt, 1e-9 * c.s.reaction[0]);
   EXPECT_EQ(effects.work_done, 0);
   EXPECT_EQ(effects.work_next, 0);
-  EXPECT_NEAR(effects.kinetic, -0.125 * (c.m.mass[3] + c.m.mass[8]) * free * free, 1e-15);
+  EXPECT_NEAR(effects.kinetic.at_n, -0.125 * (c.m.mass[3] + c.m.mass[8]) * free * free, 1e-15);
 }
 
 // Requirement: with mass-proportional and local damping the reaction is still the force that holds the node:
