@@ -203,7 +203,7 @@ const STACK = [
   ["fracture", ["fracture_I", "fracture_II"], "#d55e00"],
   ["friction", ["friction", "contact_friction"], "#cc79a7"],
   ["bond, yield, dowel, rupture", ["bond_steel", "dowel", "rupture"], "#009e73"],
-  ["damping, absorbed", ["viscous", "mass_damping", "local_damping", "absorbed"], "#b5bcc4"],
+  ["damping, absorbed", ["viscous", "mass_damping", "local_damping", "absorbed", "joint_inertia"], "#b5bcc4"],
 ];
 
 function energySection(meta, curves, moment) {

@@ -29,7 +29,7 @@ export function crackTable(meta, moment) {
 const ACCOUNTS = {
   kinetic: "of the motion", strain: "stored in the concrete", joints: "stored in joints", bars: "stored in bars", bar_joints: "stored in bar joints", contact: "stored in contact", impactors: "kinetic energy of impactors",
   fracture_I: "cracks that open", fracture_II: "cracks that slide", friction: "friction of crack faces", contact_friction: "friction in contact", bond_steel: "bond slip and yielding", dowel: "dowel action", rupture: "set free by broken bars",
-  viscous: "viscous damping", mass_damping: "mass damping", local_damping: "local damping", absorbed: "absorbing boundaries", work_supports: "put in by supports and motions", work_forces: "put in by forces", work_gravity: "put in by gravity",
+  viscous: "viscous damping", mass_damping: "mass damping", local_damping: "local damping", absorbed: "absorbing boundaries", joint_inertia: "joint inertia of released joints", work_supports: "put in by supports and motions", work_forces: "put in by forces", work_gravity: "put in by gravity",
 };
 
 export function energyTable(meta, curves) {

@@ -72,7 +72,7 @@ FISSURA_FIELDS(state::RigidState, body, touch)
 
 FISSURA_FIELDS(state::PathState, target, rising, turned_at, velocity, acceleration, toward)
 FISSURA_FIELDS(state::Ledger, work_supports, work_forces, work_gravity, viscous, mass_damping, local_damping,
-               contact_friction, absorbed, start, kinetic_before, absolute_work)
+               contact_friction, absorbed, joint_inertia, start, kinetic_before, absolute_work)
 FISSURA_FIELDS(state::State, step, time, stage, u, v, joint_status, joint_history, joint_rate, bars, rigid,
                contact, reaction, prescribed_velocity, held, paths, pace, pace_growth, lead, stage_start,
                ledger)

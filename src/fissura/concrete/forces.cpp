@@ -54,13 +54,6 @@ TetSums integrate_clusters(Model const& m, State& s, TetPass const& pass, core::
   return sums;
 }
 
-void add(TetSums& to, TetSums const& from) {
-  to.viscous += from.viscous;
-  to.local_damping += from.local_damping;
-  to.gravity += from.gravity;
-  to.kinetic += from.kinetic;
-}
-
 } // namespace
 
 void joint_forces(Model const& m, State& s, Scratch& w) {
@@ -91,24 +84,25 @@ TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 grav
   auto const& stage = m.stages[s.stage];
   TetPass const pass{&m.tets, s.u.data(),         s.v.data(),          &w.joints, &w.overlay,   nullptr,
                      m.dt,    stage.mass_damping, stage.local_damping, gravity,   gravity_mean, reads_energy};
+  bool const integrates = !m.bonding.any && !m.points.any();
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                          TetPass here = pass;
-                         if (m.bonding.any)
+                         if (!integrates)
                            here.corner_force = w.corner_force.data() + doubles_per_block * begin;
                          w.tet_sums[chunk] = run(here, begin, end);
                        });
   TetSums total;
   std::size_t const chunks = parallel::chunks(m.tets.blocks(), blocks_per_chunk);
-  for (std::size_t c = 0; c < chunks; ++c) add(total, w.tet_sums[c]);
-  if (!m.bonding.any) return total;
+  for (std::size_t c = 0; c < chunks; ++c) total += w.tet_sums[c];
+  if (integrates || m.points.any()) return total; // points are moved by motion::move_points
 
   std::size_t const clusters = m.bonding.start.size() - 1, grain = 8 * blocks_per_chunk;
   parallel::for_chunks(clusters, grain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     w.tet_sums[chunk] = integrate_clusters(m, s, pass, w.corner_force, begin, end);
   });
-  for (std::size_t c = 0; c < parallel::chunks(clusters, grain); ++c) add(total, w.tet_sums[c]);
+  for (std::size_t c = 0; c < parallel::chunks(clusters, grain); ++c) total += w.tet_sums[c];
   return total;
 }
 

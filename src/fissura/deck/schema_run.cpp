@@ -32,6 +32,10 @@ Section run_section() {
   f.quantity("least_dt", &RunSpec::least_dt, Dimension::time,
              "Selective mass scaling: tets with a smaller step get the mass that lifts it to this; 0: none.")
       .not_negative();
+  f.flag(
+      "joint_inertia", &RunSpec::joint_inertia,
+      "The copies of a point get inertia against each other, so that joints do not set the time step: 4 to "
+      "12 times longer steps for slow loading. Not for waves, impact and spalling.");
   f.quantity("mass_damping", &RunSpec::mass_damping, Dimension::rate, "c of F = -c m v.").not_negative();
   f.number("local_damping", &RunSpec::local_damping, "alpha of F = -alpha |f| sign(v): dynamic relaxation.")
       .range({0, 1, false, true});

@@ -1,5 +1,8 @@
 #pragma once
 // Supports, prescribed motion and applied forces (F_ext of Eq. 2), one function per term.
+#include <span>
+#include <vector>
+
 #include "fissura/model/model.hpp"
 #include "fissura/state/state.hpp"
 
@@ -40,6 +43,9 @@ struct AbsorbingEffects {
 AbsorbingEffects absorb_waves(model::Model const& m, state::State& s, state::Scratch const& w,
                               Vec3 gravity_mean);
 
+/// Whether a support or motion begins with this step.
+bool begins_now(model::Model const& m, state::State const& s);
+
 /// Brings the nodes of supports and motions that begin with this step to rest: whatever they moved with they
 /// lose in an impact. Returns the work of it, -m v^2/2 [J]; zero in all other steps.
 double take_hold(model::Model const& m, state::State& s);
@@ -52,6 +58,14 @@ struct MotionEffects {
   double gravity = 0;       ///< to add to the work of gravity over u_n -> u_(n+1) [J]
   double local_damping = 0; ///< to add to the local damping [J]
 };
+
+/// The velocities at n + 1/2 of all that is prescribed and has begun.
+void next_velocities(model::Model const& m, state::State const& s, std::vector<double>& driven);
+
+/// Books the reactions at u_n that those velocities took (State::reaction), where points are moved as a
+/// whole.
+MotionEffects book_reactions(model::Model const& m, state::State& s, std::span<double const> driven,
+                             std::span<double const> reaction);
 
 /// Imposes the prescribed velocities at n + 1/2 and records the reactions at u_n (State::reaction).
 MotionEffects move_supports(model::Model const& m, state::State& s, Vec3 gravity_mean);

@@ -55,6 +55,31 @@ NodeSums impose(model::Prescribed const& p, Model const& m, State& s, FreeStep c
 
 } // namespace
 
+void next_velocities(Model const& m, State const& s, std::vector<double>& driven) {
+  driven.resize(m.prescribed.size());
+  for (std::size_t i = 0; i < m.prescribed.size(); ++i)
+    if (m.prescribed[i].motion.stage <= s.stage) driven[i] = velocity_of(m.prescribed[i], m, s);
+}
+
+MotionEffects book_reactions(Model const& m, State& s, std::span<double const> driven,
+                             std::span<double const> reaction) {
+  MotionEffects effects;
+  for (std::size_t i = 0; i < m.prescribed.size(); ++i) {
+    if (m.prescribed[i].motion.stage > s.stage) continue;
+    effects.work_done += 0.5 * reaction[i] * s.prescribed_velocity[i] * m.dt;
+    effects.work_next += 0.5 * reaction[i] * driven[i] * m.dt;
+    s.reaction[i] = reaction[i];
+    s.prescribed_velocity[i] = driven[i];
+  }
+  return effects;
+}
+
+bool begins_now(Model const& m, State const& s) {
+  for (std::size_t i = 0; i < m.prescribed.size(); ++i)
+    if (!s.held[i] && m.prescribed[i].motion.stage <= s.stage) return true;
+  return false;
+}
+
 double take_hold(Model const& m, State& s) {
   double work = 0;
   for (std::size_t i = 0; i < m.prescribed.size(); ++i) {

@@ -306,15 +306,16 @@ struct StageSpec {
   double settle = 0;         ///< > 0: end the stage early once kinetic/internal energy stays below this
 };
 struct RunSpec {
-  double end_time = 0;      ///< [s]; 0 = the sum of the stages
-  double dt_factor = 0.85;  ///< of the stable step (decision 019)
-  double dt = 0;            ///< > 0: a fixed step [s]
-  double least_dt = 0;      ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
-  double mass_damping = 0;  ///< c of F = -c m v [1/s]
-  double local_damping = 0; ///< alpha of F = -alpha |f| sign(v) [-]
-  int threads = 0;          ///< 0 = all
-  long max_steps = 0;       ///< 0 = no limit
-  int energy_every = 50;    ///< steps between two readings of the ledger
+  double end_time = 0;        ///< [s]; 0 = the sum of the stages
+  double dt_factor = 0.85;    ///< of the stable step (decision 019)
+  double dt = 0;              ///< > 0: a fixed step [s]
+  double least_dt = 0;        ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
+  bool joint_inertia = false; ///< joints do not set the step
+  double mass_damping = 0;    ///< c of F = -c m v [1/s]
+  double local_damping = 0;   ///< alpha of F = -alpha |f| sign(v) [-]
+  int threads = 0;            ///< 0 = all
+  long max_steps = 0;         ///< 0 = no limit
+  int energy_every = 50;      ///< steps between two readings of the ledger
   double residual_warn = 0.01, residual_stop = 0.05;
   double pace = 1;            ///< > 1: loads run up to so many times faster than their curves
   double pace_kinetic = 0.01; ///< kinetic over internal energy that this may cost

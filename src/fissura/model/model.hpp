@@ -10,6 +10,7 @@
 #include "fissura/model/blocks.hpp"
 #include "fissura/model/case.hpp"
 #include "fissura/model/loads.hpp"
+#include "fissura/model/points.hpp"
 #include "fissura/model/rigid.hpp"
 
 namespace fissura::model {
@@ -26,6 +27,7 @@ struct Model {
   JointBlocks joints;
   std::vector<int> joint_of_shared_face; ///< -1 where bonded
   Bonding bonding;
+  Points points; ///< with joint inertia, else empty
   Bars bars;
 
   std::vector<Prescribed> prescribed;

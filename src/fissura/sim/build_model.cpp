@@ -15,6 +15,7 @@
 #include "fissura/mesh/renumber.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/make_joints.hpp"
+#include "fissura/model/make_points.hpp"
 #include "fissura/model/presets.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/sim/advice.hpp"
@@ -22,6 +23,7 @@
 #include "fissura/sim/columns.hpp"
 #include "fissura/sim/doubts.hpp"
 #include "fissura/sim/stages.hpp"
+#include "fissura/step/joint_inertia.hpp"
 #include "fissura/step/stable_step.hpp"
 #include "fissura/units/units.hpp"
 
@@ -109,13 +111,41 @@ void check_reach(Model const& m) {
           m.dt, cause, steps, units::from_si(end, units::Dimension::time)));
 }
 
+/// Joint inertia is for loading that the body follows; what it cannot do is refused, what it does badly is
+/// said.
+void check_joint_inertia(model::Case const& c, BuildReport& report) {
+  if (!c.absorbing.empty())
+    throw core::InputError(
+        c.absorbing.front().place,
+        "absorbing boundaries take waves away, and `joint_inertia` of [run] is for slow loading "
+        "only: leave one of them out");
+  if (c.run.least_dt > 0)
+    throw core::InputError(
+        {c.deck_file},
+        "`least_dt` and `joint_inertia` of [run] both lengthen the step: leave `least_dt` out");
+  bool const fast = !c.impactors.empty() || !c.initial_velocities.empty() ||
+                    std::any_of(c.concretes.begin(), c.concretes.end(),
+                                [](auto const& k) { return k.rate_factor != model::RateFactor::none; });
+  if (fast)
+    report.warnings.push_back(
+        "`joint_inertia` of [run] delays cracks that open within some crossings of an element "
+        "by a wave, and softens contact: not for impact, spalling and waves");
+}
+
 void choose_step(Model& m, BuildReport& report) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
-  auto const stable =
-      run.least_dt > 0 ? lift_step(m, share * run.least_dt / run.dt_factor) : step::stable_step(m);
+  if (run.joint_inertia) {
+    check_joint_inertia(m.source, report);
+    model::make_points(m);
+  }
+  auto const stable = run.joint_inertia  ? step::choose_inertia(m)
+                      : run.least_dt > 0 ? lift_step(m, share * run.least_dt / run.dt_factor)
+                                         : step::stable_step(m);
   double const limit = stable.dt / share;
-  m.dt = run.dt > 0 ? run.dt : run.dt_factor * limit;
+  // A tet alone meets no joint that opens and closes, and needs no more room than its bound leaves.
+  constexpr double share_of_loose = 0.95;
+  m.dt = run.dt > 0 ? run.dt : std::min(run.dt_factor * limit, share_of_loose * stable.of_loose_tets / share);
   m.dt_limiter = run.dt > 0
                      ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
                      : stable.limiter;

@@ -11,7 +11,8 @@
 namespace fissura::step {
 FISSURA_FIELDS(EnergyBalance, kinetic, strain, joints, bars, bar_joints, contact, impactors, fracture_I,
                fracture_II, friction, contact_friction, bond_steel, dowel, rupture, viscous, mass_damping,
-               local_damping, absorbed, work_supports, work_forces, work_gravity, absolute_work, start)
+               local_damping, absorbed, joint_inertia, work_supports, work_forces, work_gravity,
+               absolute_work, start)
 } // namespace fissura::step
 
 namespace fissura::sim {

@@ -12,6 +12,7 @@
 #include "fissura/state/joint_history.hpp"
 #include "fissura/state/kinetic.hpp"
 #include "fissura/state/overlay.hpp"
+#include "fissura/state/point_rows.hpp"
 #include "fissura/state/rigid_state.hpp"
 
 namespace fissura::state {
@@ -44,6 +45,7 @@ struct Ledger {
   double work_supports = 0, work_forces = 0, work_gravity = 0; ///< external work up to u_n
   double viscous = 0, mass_damping = 0, local_damping = 0;     ///< dissipated
   double contact_friction = 0, absorbed = 0;                   ///< dissipated
+  double joint_inertia = 0;                                    ///< vanished with joints that were released
   double start = 0;          ///< held at t = 0 (prestressed bars, bodies in motion)
   double kinetic_before = 0; ///< kinetic energy one step ago
   double absolute_work = 0;  ///< sum of |dW| of each account of work, summed over the body before
@@ -79,6 +81,10 @@ struct TetSums {
   double viscous = 0, local_damping = 0; ///< [J] dissipated in this step
   double gravity = 0;                    ///< [J] work of gravity over u_n -> u_(n+1)
   Kinetic kinetic;
+  TetSums& operator+=(TetSums const& b) {
+    viscous += b.viscous, local_damping += b.local_damping, gravity += b.gravity, kinetic += b.kinetic;
+    return *this;
+  }
 };
 
 /// How many lanes of a group of joints are taken: at its front, and at its far end.
@@ -111,13 +117,15 @@ struct JointSlots {
 
 struct Scratch {
   JointSlots joints;
-  core::NodeField corner_force; ///< used only with bonded nodes [N]
+  core::NodeField corner_force; ///< used only with bonded nodes and joint inertia [N]
+  PointRows points;             ///< used only with joint inertia
   Overlay overlay;
   BarScratch bars;
   RigidScratch rigid;
   ContactScratch contact;
   std::vector<TetSums> tet_sums;     ///< per chunk
   std::vector<Vec3> velocity_before; ///< per patch of Model::absorbing: at n - 1/2 [m/s]
+  std::vector<double> driven;        ///< per Prescribed: the velocity at n + 1/2 [m/s]
 };
 
 inline JointStatus status_of(State const& s, int joint) {

@@ -6,6 +6,7 @@
 #include "fissura/contact/contact.hpp"
 #include "fissura/contact/rigid.hpp"
 #include "fissura/loads/loads.hpp"
+#include "fissura/motion/points.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/start.hpp"
 
@@ -55,17 +56,33 @@ void post_energy(Model const& m, State& s, state::TetSums const& sums, Effects c
   put_in(l.work_forces, loads::applied_work(m, s));
 }
 
+/// Work of the impact with which supports and motions begin [J].
+double begin_motions(Model const& m, State& s, Scratch const& w) {
+  if (!loads::begins_now(m, s)) return 0;
+  double const before = motion::relative_energy(m, s, w.points), work = loads::take_hold(m, s);
+  return work + motion::relative_energy(m, s, w.points) - before;
+}
+
+/// With joint inertia: Eq. (1) for all copies of a point, driven ones among them.
+loads::MotionEffects move_points(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
+                                 state::TetSums& sums) {
+  loads::next_velocities(m, s, w.driven);
+  sums += motion::move_points(m, s, w, gravity, gravity_mean, w.driven);
+  return loads::book_reactions(m, s, w.driven, w.points.reaction);
+}
+
 } // namespace
 
 void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   s.time = static_cast<double>(s.step) * m.dt;
-  double const impact = loads::take_hold(m, s); // where supports and motions begin
+  double const impact = begin_motions(m, s, w); // where supports and motions begin
   Vec3 const gravity = loads::gravity_at(m, s, s.load_time());
   Vec3 const gravity_mean = 0.5 * (gravity + loads::gravity_at(m, s, s.load_time(m.dt)));
 
   loads::note_velocities(m, s, w);
-  contact::refresh_pairs(m, s, w);  // only when its skin is used up
-  concrete::joint_forces(m, s, w);  // F_conc,JE  Eqs. 13-19
+  contact::refresh_pairs(m, s, w); // only when its skin is used up
+  concrete::joint_forces(m, s, w); // F_conc,JE  Eqs. 13-19
+  s.ledger.joint_inertia += motion::drop_released(m, s, w);
   rebar::bar_joint_forces(m, s, w); // F_rc,JE    Eqs. 20-27
   rebar::bar_forces(m, s, w);       // F_rc,FE    Eqs. 3-5
   w.overlay.clear();
@@ -74,10 +91,12 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   contact::rigid_forces(m, s, w); //            and with planes and impactors
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s, &w.joints);
-  auto const sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
+  auto sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
       m, s, w, gravity, gravity_mean, reading != nullptr);
   auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
-  auto const motion = loads::move_supports(m, s, gravity_mean);  // prescribed motion, reactions
+  auto const motion = m.points.any()
+                          ? move_points(m, s, w, gravity, gravity_mean, sums)
+                          : loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
   post_energy(m, s, sums, {impact, waves, motion, impactors}, reading);
 
@@ -103,7 +122,8 @@ State make_state(Model const& m) {
   s.stage_start.assign(m.stages.size(), 0);
   s.rigid = contact::make_rigid_state(m);
   set_in_motion(m, s);
-  s.ledger.start = read_stored(m, s).held() + kinetic_energy(m, s);
+  s.ledger.start = read_stored(m, s).held() + kinetic_energy(m, s) +
+                   motion::relative_energy(m, s, motion::make_rows(m, s));
   return s;
 }
 
@@ -111,8 +131,9 @@ Scratch make_scratch(Model const& m, State const& s) {
   Scratch w;
   std::size_t const tets = m.tets.blocks() * model::block;
   w.joints = concrete::make_joint_slots(m, s);
-  if (m.bonding.any) w.corner_force = core::NodeField(4 * tets);
+  if (m.bonding.any || m.points.any()) w.corner_force = core::NodeField(4 * tets);
   w.overlay = state::Overlay(tets, m.overlay_tets);
+  w.points = motion::make_rows(m, s);
   w.bars = rebar::make_bar_scratch(m, w.overlay);
   w.velocity_before.resize(m.absorbing.patches.size());
   w.tet_sums.resize(4 * m.tets.blocks() + 1);

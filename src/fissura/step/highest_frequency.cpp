@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fissura/concrete/concrete.hpp"
+#include "fissura/motion/points.hpp"
 #include "fissura/parallel/parallel.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/advance.hpp"
@@ -31,7 +32,8 @@ constexpr double trial = 1e-10, trial_velocity = 1e-4;
 /// The forces of a model as an operator on its degrees of freedom.
 class Tangent {
  public:
-  Tangent(Model const& m, bool bars_activated) : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)) {
+  Tangent(Model const& m, bool bars_activated, Copies copies)
+      : m_(m), s_(make_state(m)), w_(make_scratch(m, s_)), tied_(copies == Copies::tied) {
     if (bars_activated) rebar::activate_all(m, s_.bars);
     if (!m.initial_velocity.empty()) std::fill(s_.v.values.begin(), s_.v.values.end(), 0.0);
     keep_forces_at_rest();
@@ -59,6 +61,7 @@ class Tangent {
     for (std::size_t n = 0; n < per_unknown_.size(); ++n)
       per_unknown_[n] =
           static_cast<float>(std::sqrt(m_.tets.inverse_mass[model::at(n / 4, static_cast<int>(n % 4), 4)]));
+    if (m_.points.any()) return weigh_points();
     auto const& b = m_.bonding;
     for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
       for (int i = b.start[c]; i < b.start[c + 1]; ++i)
@@ -66,24 +69,80 @@ class Tangent {
             std::sqrt(static_cast<float>(b.start[c + 1] - b.start[c]));
   }
 
-  /// One value for bonded copies.
+  /// The mass matrix of a point is D^1/2 (1 - w w^T) D^1/2, D = m + mu, w = D^-1/2 mu/sum(mu)^1/2. So
+  /// (1 + gamma w w^T) D^-1/2, gamma = ((1 - |w|^2)^-1/2 - 1)/|w|^2, brings it to unity.
+  void weigh_points() {
+    auto const& p = m_.points;
+    tie_.assign(per_unknown_.size(), 0), gamma_.assign(p.count(), 0);
+    auto const nodes = [&](std::size_t c) { return p.start[c + 1] - p.start[c]; };
+    for (std::size_t i = 0; i < p.count(); ++i) {
+      auto const first = static_cast<std::size_t>(p.first[i]), end = static_cast<std::size_t>(p.first[i + 1]);
+      double mu = 0, mass = 0, left = 0; // left: 1 - |w|^2, without cancellation
+      for (std::size_t c = first; c < end; ++c) {
+        auto const& row = w_.points.row[c];
+        mu += row.mu, mass += row.mass, left += row.beta * row.mass;
+      }
+      if (mu > 0) left /= mu, gamma_[i] = (1 / std::sqrt(left) - 1) / (1 - left);
+      for (std::size_t c = first; c < end; ++c) {
+        auto const& row = w_.points.row[c];
+        for (int k = p.start[c]; k < p.start[c + 1]; ++k) {
+          auto const node = static_cast<std::size_t>(p.node[static_cast<std::size_t>(k)]);
+          per_unknown_[node] = static_cast<float>(
+              std::sqrt(tied_ ? (p.start[end] - p.start[first]) / mass : nodes(c) * row.inverse));
+          if (mu > 0) tie_[node] = row.mu * std::sqrt(row.inverse / (mu * nodes(c)));
+        }
+      }
+    }
+  }
+
+  /// Lets the copies of each point answer for each other: x <- (1 + gamma w w^T) x.
+  void couple(std::span<float> x) const {
+    auto const& p = m_.points;
+    if (!p.any() || tied_) return;
+    for (std::size_t i = 0; i < p.count(); ++i)
+      for (std::size_t r = 0; r < axes; ++r) {
+        double sum = 0;
+        int const from = p.start[static_cast<std::size_t>(p.first[i])],
+                  to = p.start[static_cast<std::size_t>(p.first[i + 1])];
+        auto const node = [&](int k) {
+          return static_cast<std::size_t>(p.node[static_cast<std::size_t>(k)]);
+        };
+        for (int k = from; k < to; ++k) sum += tie_[node(k)] * x[axes * node(k) + r];
+        for (int k = from; k < to; ++k)
+          x[axes * node(k) + r] += static_cast<float>(gamma_[i] * sum * tie_[node(k)]);
+      }
+  }
+
+  /// One value for copies that move as one.
   void constrain(std::span<float> x) const {
-    auto const& b = m_.bonding;
-    for (std::size_t c = 0; c + 1 < b.start.size(); ++c)
+    auto const& p = m_.points;
+    if (!p.any()) return constrain(x, m_.bonding.start, m_.bonding.node);
+    if (!tied_) return constrain(x, p.start, p.node);
+    std::vector<int> start;
+    for (int const c : p.first) start.push_back(p.start[static_cast<std::size_t>(c)]);
+    constrain(x, start, p.node);
+  }
+  static void constrain(std::span<float> x, std::vector<int> const& start, std::vector<int> const& node) {
+    for (std::size_t c = 0; c + 1 < start.size(); ++c)
       for (int r = 0; r < 3; ++r) {
         auto at = [&](int i) -> float& {
-          return x[axes * static_cast<std::size_t>(b.node[static_cast<std::size_t>(i)]) +
+          return x[axes * static_cast<std::size_t>(node[static_cast<std::size_t>(i)]) +
                    static_cast<std::size_t>(r)];
         };
         double mean = 0;
-        for (int i = b.start[c]; i < b.start[c + 1]; ++i) mean += at(i) / (b.start[c + 1] - b.start[c]);
-        for (int i = b.start[c]; i < b.start[c + 1]; ++i) at(i) = static_cast<float>(mean);
+        for (int i = start[c]; i < start[c + 1]; ++i) mean += at(i) / (start[c + 1] - start[c]);
+        for (int i = start[c]; i < start[c + 1]; ++i) at(i) = static_cast<float>(mean);
       }
   }
 
   /// out = -M^-1/2 (change of the forces under the trial motion `field` along in)/size - share out.
   void apply(std::span<float const> in, double share, std::span<float> out, core::NodeField& field,
              double length) {
+    if (!gamma_.empty() && !tied_) {
+      coupled_.assign(in.begin(), in.end()), couple(coupled_);
+      in = coupled_;
+      change_.resize(in.size());
+    }
     double largest = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
       largest = std::max<double>(largest, per_unknown_[i / axes] * std::abs(in[i]));
@@ -97,10 +156,17 @@ class Tangent {
       for (std::size_t i = 0; i < force.size(); ++i) {
         double const change = force[i] - (at_rest_.empty() ? 0 : at_rest_[axes * first + i]);
         float& to = out[axes * first + i];
-        to = static_cast<float>(-per_unknown_[first + i / axes] * inverse * change - share * to);
+        if (!change_.empty())
+          change_[axes * first + i] = static_cast<float>(-per_unknown_[first + i / axes] * inverse * change);
+        else
+          to = static_cast<float>(-per_unknown_[first + i / axes] * inverse * change - share * to);
       }
     });
     std::fill(field.values.begin(), field.values.end(), 0.0);
+    if (!change_.empty()) {
+      constrain(change_), couple(change_);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<float>(change_[i] - share * out[i]);
+    }
     constrain(out);
   }
 
@@ -129,17 +195,20 @@ class Tangent {
   Model const& m_;
   State s_;
   state::Scratch w_;
-  std::vector<double> at_rest_;    ///< empty where there are no forces at rest
-  std::vector<float> per_unknown_; ///< per node
+  std::vector<double> at_rest_;         ///< empty where there are no forces at rest
+  std::vector<float> per_unknown_;      ///< per node
+  bool tied_;                           ///< the copies of a point move as one
+  std::vector<double> tie_, gamma_;     ///< with joint inertia: w per node (of its cluster), gamma per point
+  std::vector<float> coupled_, change_; ///< with joint inertia
 };
 
 } // namespace
 
-HighestFrequency highest_frequency(Model const& m) {
+HighestFrequency highest_frequency(Model const& m, Copies copies) {
   HighestFrequency highest;
   for (bool const activated : {false, true}) {
-    if (activated && m.bars.joints.empty()) continue;
-    Tangent tangent(m, activated);
+    if (activated && (m.bars.joints.empty() || copies == Copies::tied)) continue;
+    Tangent tangent(m, activated, copies);
     highest.omega_2 = std::max(highest.omega_2, tangent.largest(false));
     if (!activated && m.tets.any_viscosity) highest.viscous = tangent.largest(true);
   }

@@ -6,7 +6,7 @@
 
 namespace fissura::step {
 
-std::array<std::pair<std::string_view, double>, 21> EnergyBalance::accounts() const {
+std::array<std::pair<std::string_view, double>, 22> EnergyBalance::accounts() const {
   return {{{"kinetic", kinetic},
            {"strain", strain},
            {"joints", joints},
@@ -25,6 +25,7 @@ std::array<std::pair<std::string_view, double>, 21> EnergyBalance::accounts() co
            {"mass_damping", mass_damping},
            {"local_damping", local_damping},
            {"absorbed", absorbed},
+           {"joint_inertia", joint_inertia},
            {"work_supports", work_supports},
            {"work_forces", work_forces},
            {"work_gravity", work_gravity}}};
@@ -54,6 +55,7 @@ void read_flows(EnergyBalance& e, model::Model const&, state::State const& s) {
   e.local_damping = s.ledger.local_damping;
   e.contact_friction = s.ledger.contact_friction;
   e.absorbed = s.ledger.absorbed;
+  e.joint_inertia = s.ledger.joint_inertia;
   e.work_supports = s.ledger.work_supports;
   e.work_forces = s.ledger.work_forces;
   e.work_gravity = s.ledger.work_gravity;

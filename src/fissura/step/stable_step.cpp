@@ -14,6 +14,11 @@ namespace fissura::step {
 
 using model::Model;
 
+double largest_step(double omega, double c) {
+  double const xi = c / (2 * omega);
+  return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
+}
+
 namespace {
 
 /// Stiffness that joints put on each node: sum of p A/(3 h).
@@ -38,12 +43,6 @@ void sum_over_clusters(Model const& m, std::vector<double>& stiffness) {
     for (int i = m.bonding.start[c]; i < m.bonding.start[c + 1]; ++i) sum += stiffness[m.bonding.node[i]];
     for (int i = m.bonding.start[c]; i < m.bonding.start[c + 1]; ++i) stiffness[m.bonding.node[i]] = sum;
   }
-}
-
-/// Largest step at the frequency omega with the viscous eigenvalue c; viscous forces lag half a step.
-double largest_step(double omega, double c) {
-  double const xi = c / (2 * omega);
-  return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
 }
 
 /// Frequency bound and damping ratio of one tet with its joints and bars.

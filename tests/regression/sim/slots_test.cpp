@@ -63,5 +63,26 @@ TEST(JointSlots, made_anew_change_no_bit) {
   EXPECT_TRUE(std::equal(x.s.v.values.begin(), x.s.v.values.end(), y.s.v.values.begin()));
 }
 
+// Requirement: the same with joint inertia, where joints that are released split points: the rows of a
+// restart are those of the run, and what vanishes with the joints is booked as lost.
+TEST(PointRows, made_anew_change_no_bit) {
+  auto c = deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {});
+  c.run.joint_inertia = true;
+  Stepper x(c), y(c);
+  int split = 0;
+  for (int i = 0; i < 10; ++i) {
+    double const lost = x.s.ledger.joint_inertia;
+    x.advance(100), y.advance(100);
+    EXPECT_GE(x.s.ledger.joint_inertia, lost);
+    y.w = step::make_scratch(y.m, y.s);
+    for (auto const parts : y.w.points.parts) split += parts > 1;
+  }
+  EXPECT_GT(split, 0);
+  EXPECT_GT(x.s.ledger.joint_inertia, 0);
+  x.advance(50), y.advance(50);
+  EXPECT_TRUE(std::equal(x.s.u.values.begin(), x.s.u.values.end(), y.s.u.values.begin()));
+  EXPECT_TRUE(std::equal(x.s.v.values.begin(), x.s.v.values.end(), y.s.v.values.begin()));
+}
+
 } // namespace
 } // namespace fissura::support

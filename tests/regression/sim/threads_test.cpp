@@ -61,6 +61,15 @@ TEST(Threads, give_the_same_bits_in_a_bonded_body) {
   for (int const threads : {2, 3, 8}) expect_same(one, run(c, threads, 400));
 }
 
+// Requirement: the same with joint inertia, the points of which lie in many chunks.
+TEST(Threads, give_the_same_bits_with_joint_inertia) {
+  auto c = tie_case({8, 4, 4}, 1, 2);
+  c.run.joint_inertia = true;
+  auto const one = run(c, 1, 600);
+  EXPECT_GT(one.damaged, 20);
+  for (int const threads : {1, 2, 3, 8}) expect_same(one, run(c, threads, 600));
+}
+
 // Requirement: the hash tells states apart: one bit of one displacement, one damage value, one more step.
 TEST(StateHash, tells_states_apart) {
   Stepper x(tie_case({4, 2, 2}, 1, 2));

@@ -276,6 +276,25 @@ TEST(CoarseLoads, AreNamed) {
   EXPECT_TRUE(warns(c, "its rows follow each other after 0.1 ms"));
 }
 
+// Requirement: joint inertia is refused where it cannot be right, and warned of where it is not.
+TEST(Step, JointInertiaIsForSlowLoading) {
+  auto c = tie();
+  c.run.joint_inertia = true;
+  EXPECT_EQ(refusal_of(c), "none");
+  EXPECT_FALSE(warns(c, "joint_inertia"));
+  auto fast = c;
+  fast.concretes[0].rate_factor = model::RateFactor::mc2010;
+  EXPECT_TRUE(warns(fast, "not for impact, spalling and waves"));
+  auto scaled = c;
+  scaled.run.least_dt = 1e-6;
+  EXPECT_NE(refusal_of(scaled).find("leave `least_dt` out"), std::string::npos);
+  auto open = c;
+  open.absorbing = {{{"case.toml", 50, 1}, "end", everything()}};
+  EXPECT_NE(refusal_of(open).find("case.toml:50:1: error: absorbing boundaries take waves away"),
+            std::string::npos)
+      << refusal_of(open);
+}
+
 // Requirement: a step of which no machine could take enough is refused, with the properties that make it.
 TEST(Step, OutOfReach) {
   auto c = tie();

@@ -155,7 +155,7 @@ TEST(RunFolder, is_complete) {
   EXPECT_GE(j["time"].get<double>(), 6e-4);
   EXPECT_NEAR(j["time"].get<double>(), j["steps"].get<double>() * j["dt"].get<double>(), 1e-15);
   EXPECT_EQ(j["state_hash"].get<std::string>().size(), 16u);
-  EXPECT_EQ(j["energy"].size(), 21u);
+  EXPECT_EQ(j["energy"].size(), 22u);
 }
 
 // Requirement: the collections name one file per frame, each of which exists and was drawn at its time.
