@@ -53,10 +53,12 @@ BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, doubl
   if (h.ruptured) return {};
   double const axial_before = bar_joint_axial_stored(p, h), dowel_softening = h.dowel.softening;
   double const sigma_before = h.sigma, S_before = h.S, t_before = h.t_s, V_before = h.V_s;
+  double const strength_before = h.dowel.strength;
 
   h.S = S, h.t_s = t_s;
   h.V_s = p.with_dowel ? dowel_force(p.dowel, h.dowel, S, t_s) : 0;
   h.strain = bond_strain(p.bond, h.bond, S, h.dowel.strength);
+  if (h.dowel.strength < strength_before) weaken_steel(p.steel, h.steel, h.dowel.strength);
   h.sigma = steel_stress(p.steel, h.steel, h.strain, h.dowel.strength);
   h.yielded = h.yielded || h.bond.yielded || h.strain < -p.steel.f_y / p.steel.E_s;
 

@@ -45,19 +45,36 @@ template <class Path> BranchList& remembered(Path& path, int direction) noexcept
   return direction > 0 ? path.rising : path.falling;
 }
 
-/// Remembered branches that do not lie beyond the present stress bound nothing; one that does not differ from
-/// it is resumed. Says whether one was.
+/// Remembered branches that do not lie beyond the present stress bound nothing and are dropped; one that does
+/// not differ from it is resumed. Says whether one was. None is resumed inside one that a weaker law has left
+/// behind: it may have been drawn towards that one (a straight line to its bound), and bounds nothing alone.
 template <class Law, class Path> bool sort_out(Law const& law, Path& path, int direction) noexcept {
   auto& list = remembered(path, direction);
-  while (!list.empty()) {
-    double const beyond = direction * (law.stress_on(list.innermost(), direction, path.strain) - path.stress);
-    if (beyond > law.indifferent()) return false;
-    bool const same = beyond >= -law.indifferent();
-    if (same) path.now = list.innermost();
-    list.drop_innermost();
-    if (same) return true;
+  int resumed = -1, passed = BranchList::capacity;
+  for (int i = list.count - 1; i >= 0; --i) {
+    auto const& branch = list.at[static_cast<std::size_t>(i)];
+    double const beyond = direction * (law.stress_on(branch, direction, path.strain) - path.stress);
+    if (beyond > law.indifferent()) continue;
+    if (beyond < -law.indifferent())
+      passed = i;
+    else if (resumed < 0)
+      path.now = branch, resumed = i;
+    list.forget(i);
   }
-  return false;
+  return resumed >= 0 && resumed < passed;
+}
+
+/// The remembered branch that bounds the stress most, if one does: -1 if the stress is beyond none. All are
+/// asked: two branches may cross, and then the outer one is the closer.
+template <class Law>
+int closest_bound(Law const& law, BranchList const& list, int direction, double strain, double& stress) {
+  int closest = -1;
+  for (int i = list.count - 1; i >= 0; --i) {
+    double const bound = law.stress_on(list.at[static_cast<std::size_t>(i)], direction, strain);
+    double const allowed = closest < 0 ? law.indifferent() : 0;
+    if (direction * (bound - stress) <= allowed) closest = i, stress = bound;
+  }
+  return closest;
 }
 
 /// Room for one more. Of the two neighbours that differ least in stress here, the inner one gives way (the
@@ -119,15 +136,25 @@ template <class Law, class Path> double follow(Law& law, Path& path, double stra
   double stress = law.stress_on(path.now, path.direction, strain);
   if (path.direction != 0) {
     auto& list = detail::remembered(path, path.direction);
-    while (!list.empty()) {
-      double const bound = law.stress_on(list.innermost(), path.direction, strain);
-      if (path.direction * (bound - stress) > law.indifferent()) break;
-      path.now = list.innermost(), stress = bound;
-      list.drop_innermost();
+    if (int const i = detail::closest_bound(law, list, path.direction, strain, stress); i >= 0) {
+      path.now = list.at[static_cast<std::size_t>(i)];
+      list.forget(i);
     }
   }
   path.strain = strain, path.stress = stress;
   return stress;
+}
+
+/// The law has weakened: of the stress, what is beyond `limit` is lost at the strain reached. A path that
+/// unloads begins its branch anew: on the old one it would come back to the stress it has lost, and give back
+/// energy that is gone.
+template <class Law, class Path> void weaken(Law const& law, Path& path, double limit) noexcept {
+  int const sign = path.stress > 0 ? 1 : -1;
+  if (sign * (path.stress - limit) <= law.indifferent()) return;
+  path.stress = limit;
+  if (path.direction == sign) return; // loading on: the law bounds its branch by itself
+  if (!detail::sort_out(law, path, -sign))
+    path.now = law.branch_from(path.strain, limit, -sign, detail::remembered(path, -sign));
 }
 
 } // namespace fissura::laws

@@ -13,6 +13,13 @@ inline double steel_stress(SteelParams const& p, SteelHistory& h, double strain,
   return SteelKato{now}(h, strain);
 }
 
+/// Shear has lowered the strength to the share `strength`: at the last strain, a stress beyond it is lost.
+inline void weaken_steel(SteelParams const& p, SteelHistory& h, double strength) noexcept {
+  SteelParams const now = reduced(p, strength);
+  if (p.law == SteelLaw::menegotto_pinto) return SteelMenegottoPinto{now}.weaken(h);
+  SteelKato{now}.weaken(h);
+}
+
 inline bool is_ruptured(SteelParams const&, SteelHistory const& h) noexcept {
   return h.ruptured;
 }

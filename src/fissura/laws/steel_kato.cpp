@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fissura::laws {
 
@@ -55,14 +56,12 @@ struct KatoBranches {
 
  private:
   double unloading(Branch const& b, double strain, double elastic) const noexcept {
-    // Where shear has lowered the strength since the bar turned, what the elastic line promises is too much.
-    double const line = std::min(elastic, tensile_limit(p, strain));
     // Without a zero crossing there is no curve (2): so it is too where shear has lowered f_y below the
     // stress of the largest strain only since the bar turned.
     bool const has_crossed = h.eps_z > SteelHistory{}.eps_z;
-    if (!is_beyond_yield(p, h.eps_largest) || !has_crossed) return std::max(line, -p.f_y);
+    if (!is_beyond_yield(p, h.eps_largest) || !has_crossed) return std::max(elastic, -p.f_y);
     if (elastic < 0 && strain < h.eps_z) return std::max(elastic, -rounded(p, b.own_1, h.eps_z - strain));
-    return line;
+    return elastic;
   }
 
   double loading(Branch const& b, double strain, double elastic) const noexcept {
@@ -98,6 +97,14 @@ double SteelKato::operator()(KatoHistory& h, double strain) const noexcept {
   if (is_beyond_yield(p, strain)) h.eps_largest = std::max(h.eps_largest, strain);
   if (strain >= p.eps_br) h.ruptured = true, h.stress = 0;
   return h.stress;
+}
+
+void SteelKato::weaken(KatoHistory& h) const noexcept {
+  if (h.ruptured || h.direction == 0) return;
+  auto const& p = params;
+  if (is_beyond_yield(p, h.strain)) h.eps_largest = std::max(h.eps_largest, h.strain);
+  double const none = std::numeric_limits<double>::infinity();
+  laws::weaken(KatoBranches{p, h}, h, h.stress > 0 ? tensile_limit(p, h.strain) : -none);
 }
 
 } // namespace fissura::laws

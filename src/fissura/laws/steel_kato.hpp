@@ -20,6 +20,8 @@ struct SteelKato {
   SteelParams params;
   /// Stress [Pa] at the next strain; advances the history. Ruptures for good at eps_br.
   double operator()(KatoHistory& h, double strain) const noexcept;
+  /// The strength of `params` has fallen since the last strain: a stress beyond it is lost.
+  void weaken(KatoHistory& h) const noexcept;
 };
 
 } // namespace fissura::laws

@@ -28,6 +28,14 @@ constexpr double closes_until = 0.25, straight = 0;
 /// in full. Without a threshold the ripples of an explicit run would add up to it.
 constexpr double hardens_from = 0.25, hardens_fully = 1;
 
+/// x/(1 + |x|^R)^(1/R). A branch of a small loop is sharp (R of some hundreds): far along it, |x|^R
+/// overflows.
+double rounded_corner(double x, double R) {
+  double const far = std::abs(x);
+  return far <= 1 ? x / std::pow(1 + std::pow(far, R), 1 / R)
+                  : std::copysign(1 / std::pow(1 + std::pow(far, -R), 1 / R), x);
+}
+
 /// Branches of Menegotto-Pinto steel: own_1 is the roundness R (or `straight`), own_2 the isotropic shift of
 /// the yield asymptote as a share of f_y.
 struct MenegottoPintoBranches {
@@ -87,7 +95,7 @@ struct MenegottoPintoBranches {
     if (c.own_1 == straight) return c.stress + p.E_s * from;
     if (span * direction <= 1e-9 * p.eps_y()) return c.stress + b * p.E_s * from; // already on the asymptote
     double const x = from / span;
-    double const round = x / std::pow(1 + std::pow(std::abs(x), c.own_1), 1 / c.own_1);
+    double const round = rounded_corner(x, c.own_1);
     return c.stress + p.E_s * span * (b * x + (1 - b) * round);
   }
 };
@@ -113,6 +121,11 @@ double SteelMenegottoPinto::operator()(MenegottoPintoHistory& h, double strain) 
   h.eps_smallest = std::min(h.eps_smallest, strain);
   if (strain >= p.eps_br) h.ruptured = true, h.stress = 0;
   return h.stress;
+}
+
+void SteelMenegottoPinto::weaken(MenegottoPintoHistory& h) const noexcept {
+  if (h.ruptured || h.direction == 0) return;
+  laws::weaken(MenegottoPintoBranches{params, h}, h, h.stress > 0 ? params.f_u : -params.f_u);
 }
 
 } // namespace fissura::laws

@@ -16,6 +16,8 @@ struct SteelMenegottoPinto {
   SteelParams params;
   /// Stress [Pa] at the next strain; advances the history. At most f_u; ruptures for good at eps_br.
   double operator()(MenegottoPintoHistory& h, double strain) const noexcept;
+  /// The strength of `params` has fallen since the last strain: a stress beyond it is lost.
+  void weaken(MenegottoPintoHistory& h) const noexcept;
 };
 
 } // namespace fissura::laws

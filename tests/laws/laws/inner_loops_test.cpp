@@ -120,6 +120,44 @@ TEST(InnerLoops, passing_a_reversal_resumes_the_old_branch) {
   }
 }
 
+// Requirement: a bar that loses strength while it unloads falls to what is left and unloads from there: by
+// E_s, and pulled on it yields at the strength it has now, not at the stress it had before.
+TEST(InnerLoops, a_bar_weakened_while_it_unloads_unloads_from_what_is_left) {
+  for (auto const law : laws) {
+    SteelParams const p{200e9, 500e6, 600e6, 0.015, 0.1, 0.12, law};
+    double const eps_y = p.eps_y(), left = 0.5, limit = left * (law == SteelLaw::kato ? p.f_y : p.f_u);
+    SteelHistory h;
+    auto go = [&](double to, double strength) {
+      double stress = 0;
+      for (int i = 1, n = 1000; i <= n; ++i)
+        stress = steel_stress(p, h, h.strain + (to - h.strain) / (n + 1 - i), strength);
+      return stress;
+    };
+    go(0.8 * eps_y, 1), go(0.75 * eps_y, 1);
+    weaken_steel(p, h, left);
+    EXPECT_NEAR(h.stress, limit, 1e3) << int(law);
+    EXPECT_NEAR(go(0.65 * eps_y, left), limit - 0.1 * p.f_y, 1e-3 * p.f_y) << int(law);
+    EXPECT_NEAR(go(0.7499 * eps_y, left), left * p.f_y, 0.01 * p.f_y) << int(law);
+    EXPECT_LE(go(3 * eps_y, left), left * p.f_u) << int(law);
+  }
+}
+
+// Requirement: a bar goes on as it would have after a small loop, however far it is pulled: the branch of
+// such a loop is sharp, and its curve of a large power.
+TEST(InnerLoops, a_bar_pulled_far_beyond_a_small_loop_is_on_its_curve) {
+  for (auto const law : laws) {
+    SteelParams const p{200e9, 500e6, 600e6, 0.015, 0.1, 0.12, law};
+    for (double back = 0.5; back < 2; back += 0.02) {
+      SteelHistory smooth, looped;
+      for (double const to : {2.0, 2 - back, 2.02, 1.96, 40.0})
+        for (int i = 1, n = 500; i <= n; ++i)
+          steel_stress(p, looped, looped.strain + (to * p.eps_y() - looped.strain) / (n + 1 - i));
+      for (int i = 1; i <= 2000; ++i) steel_stress(p, smooth, 40 * p.eps_y() * i / 2000);
+      EXPECT_NEAR(looped.stress, smooth.stress, 0.01 * p.f_y) << int(law) << " by " << back;
+    }
+  }
+}
+
 // Requirement: a list of branches that is full gives up the one that makes the least difference: a ripple
 // that dies away over a hundred cycles, each inside the last, leaves the bar on its branch.
 TEST(InnerLoops, a_ripple_that_dies_away_leaves_the_branch_as_it_is) {
