@@ -207,7 +207,7 @@ class Commands(unittest.TestCase):
             self.assertEqual(done.returncode, 2, words)
             self.assertIn(said, done.stderr)
         out = self.folder / "until"
-        done = fissura("run", DECK, *SMALL, "--no-report", "--until", "0.1 ms", "--out", out)
+        done = fissura("run", DECK, *SMALL, "--no-report", "--until", "0.1 ms", "--set", "run.joint_inertia=false", "--out", out)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertAlmostEqual(json.loads((out / "run.json").read_text())["time"], 1e-4, delta=2e-6)
         self.assertEqual(fissura("picture", self.run_b, "--time", "3 ms", "-o", self.folder / "then.png").returncode, 0)

@@ -9,6 +9,7 @@
 #include "fissura/contact/linkage.hpp"
 #include "fissura/contact/tet_overlap.hpp"
 #include "fissura/geometry/tet.hpp"
+#include "fissura/model/defaults.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::contact {
@@ -133,7 +134,7 @@ double largest_face(Model const& m, int tet) {
 /// p/h of a tet, as in its joints [Pa/m].
 double face_stiffness(Model const& m, int tet) {
   auto const& c = m.source.concretes[m.material_of_tet[tet]];
-  return (c.penalty > 0 ? c.penalty : 20 * c.E) /
+  return model::joint_penalty(m.source, c) /
          geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, tet)));
 }
 

@@ -7,6 +7,7 @@
 #include "fissura/contact/rigid_law.hpp"
 #include "fissura/contact/rigid_shape.hpp"
 #include "fissura/geometry/tet.hpp"
+#include "fissura/model/defaults.hpp"
 #include "fissura/parallel/parallel.hpp"
 
 namespace fissura::contact {
@@ -164,7 +165,7 @@ double face_area(Model const& m, int tet, int face) {
 double rigid_stiffness(Model const& m, int tet, double area, model::RigidBody const& body) {
   auto const t = static_cast<std::size_t>(tet);
   auto const& c = m.source.concretes[static_cast<std::size_t>(m.material_of_tet[t])];
-  double const penalty = c.penalty > 0 ? c.penalty : 20 * c.E;
+  double const penalty = model::joint_penalty(m.source, c);
   double mass = 0;
   for (int a = 0; a < 4; ++a) mass += m.mass[static_cast<std::size_t>(model::node_of(tet, a))];
   if (body.is_impactor) {

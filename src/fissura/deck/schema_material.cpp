@@ -16,8 +16,6 @@ using model::SteelSpec;
 using Written = std::optional<std::string>;
 using units::Dimension;
 
-constexpr double default_penalty = 20; ///< times E
-
 bool is_multiple(Node const& n) {
   return n.kind == Node::Kind::number || n.kind == Node::Kind::integer;
 }
@@ -26,7 +24,7 @@ bool is_multiple(Node const& n) {
 void read_penalty(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
   Wanted wanted(k);
   wanted.dimension = is_multiple(n) ? Dimension::none : Dimension::pressure;
-  c.penalty = read_quantity(r, n, wanted).value_or(default_penalty);
+  c.penalty = read_quantity(r, n, wanted).value_or(1);
 }
 
 void read_h(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
@@ -104,11 +102,7 @@ void finish_concrete(Reader& reader, Node const& table, void* record) {
   else if (!reader.given(record, "E"))
     reader.error(table,
                  "[[concrete]] needs `E`: a pressure; or preset = \"mc2010\", which takes it from `f_c`");
-  Node const* penalty = table.find("penalty");
-  if (!penalty)
-    c.penalty = default_penalty * c.E;
-  else if (is_multiple(*penalty))
-    c.penalty *= c.E;
+  if (Node const* const penalty = table.find("penalty"); penalty && is_multiple(*penalty)) c.penalty *= c.E;
   if (reader.given(record, "f_ck") && reader.given(record, "f_c"))
     reader.error(reader.place(record, "f_ck"),
                  "give either `f_c`, the mean strength, or `f_ck`, that of the class: f_c = f_ck + 8 MPa");
@@ -207,12 +201,17 @@ void add_joints(Fields<ConcreteSpec>& f) {
   f.flag("joints", &ConcreteSpec::joints,
          "`false`: its tetrahedra are bonded to each other, without joints between them.");
   f.flag("crackable", &ConcreteSpec::crackable, "`false`: its joints stay linear elastic.");
-  f.custom("penalty", "a number (times E) or a pressure",
-           "Stiffness p of the joints: a larger one adds less compliance and asks for shorter steps.",
-           read_penalty,
-           [](ConcreteSpec const& c) -> Written { return write_quantity(c.penalty, Dimension::pressure); })
+  f.custom(
+       "penalty", "a number (times E) or a pressure",
+       "Stiffness p of the joints: a larger one adds less compliance; without `joint_inertia` of [run] it "
+       "asks for shorter steps.",
+       read_penalty,
+       [](ConcreteSpec const& c) -> Written {
+         if (c.penalty == 0) return std::nullopt;
+         return write_quantity(c.penalty, Dimension::pressure);
+       })
       .positive()
-      .default_is("20");
+      .default_is("100 with `joint_inertia` of [run], else 20");
   f.custom("h", "`volume`, `joint_edge` or a length",
            "Element size of the peak opening o_p = 2 h f_t/p: of the neighbours' volume, or the mean edge of "
            "the joint.",

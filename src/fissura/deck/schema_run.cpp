@@ -6,15 +6,31 @@
 namespace fissura::deck {
 namespace {
 
+using model::JointInertia;
 using model::OutputSpec;
 using model::RunSpec;
 using units::Dimension;
+using Written = std::optional<std::string>;
 
 void finish_run(Reader& reader, Node const&, void* record) {
   auto const& run = *static_cast<RunSpec const*>(record);
   if (reader.good(record, {"residual_warn", "residual_stop"}) && run.residual_stop < run.residual_warn)
     reader.error(reader.place(record, "residual_stop"),
                  "`residual_stop` must not be less than `residual_warn`");
+}
+
+void read_joint_inertia(Reader& r, Node const& n, Key const& k, RunSpec& run) {
+  if (n.kind == Node::Kind::text) {
+    if (!read_word(r, n, k, {"automatic"}))
+      r.error(n, fmt::format("`{}` may also be `true` or `false`, without quotation marks", k.name));
+    return;
+  }
+  if (auto const on = read_flag(r, n, k)) run.joint_inertia = *on ? JointInertia::on : JointInertia::off;
+}
+
+Written write_joint_inertia(RunSpec const& run) {
+  if (run.joint_inertia == JointInertia::automatic) return write_text("automatic");
+  return write_flag(run.joint_inertia == JointInertia::on);
 }
 
 Section run_section() {
@@ -32,10 +48,12 @@ Section run_section() {
   f.quantity("least_dt", &RunSpec::least_dt, Dimension::time,
              "Selective mass scaling: tets with a smaller step get the mass that lifts it to this; 0: none.")
       .not_negative();
-  f.flag(
-      "joint_inertia", &RunSpec::joint_inertia,
-      "The copies of a point get inertia against each other, so that joints do not set the time step: 4 to "
-      "12 times longer steps for slow loading. Not for waves, impact and spalling.");
+  f.custom("joint_inertia", "`automatic`, `true` or `false`",
+           "The copies of a point get inertia against each other, so that joints do not set the time step: 4 "
+           "to 12 times longer steps for slow loading. Not for waves, impact and spalling. Automatic: unless "
+           "there are impactors, planes, initial velocities, absorbing boundaries, a `rate_factor`, local "
+           "damping, `dt` or `least_dt`.",
+           read_joint_inertia, write_joint_inertia);
   f.quantity("mass_damping", &RunSpec::mass_damping, Dimension::rate, "c of F = -c m v.").not_negative();
   f.number("local_damping", &RunSpec::local_damping, "alpha of F = -alpha |f| sign(v): dynamic relaxation.")
       .range({0, 1, false, true});
@@ -43,7 +61,9 @@ Section run_section() {
       .range({0, 1024});
   f.integer("max_steps", &RunSpec::max_steps, "Stops after so many steps; 0: no limit.").range({0, 1e15});
   f.integer("energy_every", &RunSpec::energy_every, "Steps between two readings of the energy ledger.")
-      .range({1, 1e9});
+      .range({1, 1e9})
+      .default_is("50; 10 with `joint_inertia`")
+      .echoed_if([](RunSpec const& run) { return run.energy_every > 0; });
   f.number("residual_warn", &RunSpec::residual_warn, "Energy residual that warns.").positive();
   f.number("residual_stop", &RunSpec::residual_stop, "Energy residual that stops the run.").positive();
   f.number(

@@ -91,7 +91,7 @@ struct ConcreteSpec {
   double mu_bar = 0;     ///< viscous damping [Pa s]
   bool joints = true;    ///< false: tets of this material are bonded to each other, no joints between them
   bool crackable = true; ///< false: its joints stay linear elastic
-  double penalty = 0;    ///< p [Pa]; the deck gives it as a multiple of E (default 20 E) or as a stress
+  double penalty = 0;    ///< p [Pa]; the deck gives it as a multiple of E or as a stress; 0: joint_penalty()
   ElementSize element_size = ElementSize::volume;
   double h = 0; ///< [m] for ElementSize::given
   JointLaw joint_law = JointLaw::energy_consistent;
@@ -305,17 +305,19 @@ struct StageSpec {
   double local_damping = -1; ///< [-]; < 0 = the run's
   double settle = 0;         ///< > 0: end the stage early once kinetic/internal energy stays below this
 };
+/// Whether joints carry inertia and so do not set the time step.
+enum class JointInertia { automatic, on, off };
 struct RunSpec {
-  double end_time = 0;        ///< [s]; 0 = the sum of the stages
-  double dt_factor = 0.85;    ///< of the stable step (decision 019)
-  double dt = 0;              ///< > 0: a fixed step [s]
-  double least_dt = 0;        ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
-  bool joint_inertia = false; ///< joints do not set the step
-  double mass_damping = 0;    ///< c of F = -c m v [1/s]
-  double local_damping = 0;   ///< alpha of F = -alpha |f| sign(v) [-]
-  int threads = 0;            ///< 0 = all
-  long max_steps = 0;         ///< 0 = no limit
-  int energy_every = 50;      ///< steps between two readings of the ledger
+  double end_time = 0;     ///< [s]; 0 = the sum of the stages
+  double dt_factor = 0.85; ///< of the stable step (decision 019)
+  double dt = 0;           ///< > 0: a fixed step [s]
+  double least_dt = 0;     ///< > 0: tets whose step is smaller get extra mass (selective mass scaling) [s]
+  JointInertia joint_inertia = JointInertia::automatic;
+  double mass_damping = 0;  ///< c of F = -c m v [1/s]
+  double local_damping = 0; ///< alpha of F = -alpha |f| sign(v) [-]
+  int threads = 0;          ///< 0 = all
+  long max_steps = 0;       ///< 0 = no limit
+  int energy_every = 0;     ///< steps between two readings of the ledger; 0: steps_per_reading()
   double residual_warn = 0.01, residual_stop = 0.05;
   double pace = 1;            ///< > 1: loads run up to so many times faster than their curves
   double pace_kinetic = 0.01; ///< kinetic over internal energy that this may cost

@@ -25,10 +25,10 @@ double sign(double x) {
 /// One pass over a range of points.
 class Mover {
  public:
-  Mover(Model const& m, State& s, state::Scratch const& w, Vec3 gravity, Vec3 gravity_mean,
+  Mover(Model const& m, State& s, state::Scratch const& w, Vec3 gravity, Vec3 gravity_mean, bool reads_energy,
         std::span<double const> driven, std::span<double> reaction)
       : m_(m), p_(m.points), s_(s), rows_(w.points), force_(w.corner_force), g_(gravity), gm_(gravity_mean),
-        driven_(driven), reaction_(reaction), dt_(m.dt) {
+        reads_energy_(reads_energy), driven_(driven), reaction_(reaction), dt_(m.dt) {
     auto const& stage = m.stages[s.stage];
     keep_ = 1 - 0.5 * stage.mass_damping * dt_, scale_ = 1 / (1 + 0.5 * stage.mass_damping * dt_);
     alpha_ = stage.local_damping;
@@ -39,6 +39,7 @@ class Mover {
     PointPass const pass{p_.first.data(),
                          p_.leader.data(),
                          rows_.row.data(),
+                         rows_.weight.data(),
                          rows_.per_pull.data(),
                          rows_.per_mu.data(),
                          force_.data(),
@@ -48,7 +49,8 @@ class Mover {
                          keep_,
                          scale_,
                          g_,
-                         gm_};
+                         gm_,
+                         reads_energy_};
     for (std::size_t p = begin; p < end;) {
       std::size_t plain = p;
       while (plain < end && is_plain(plain)) ++plain;
@@ -66,7 +68,7 @@ class Mover {
 
   /// Forces on a cluster, with gravity and local damping.
   Vec3 force_on(int c) const {
-    Vec3 f = rows_.row[idx(c)].weight * g_;
+    Vec3 f = rows_.weight[idx(c)] * g_;
     for (int i = p_.start[idx(c)]; i < p_.start[idx(c + 1)]; ++i) f += force_.at(idx(p_.node[idx(i)]));
     if (alpha_ > 0) {
       double const* const v = s_.v.of_node(idx(first(c)));
@@ -112,7 +114,7 @@ class Mover {
       if (int const k = prescribed(point, c, r); k >= 0)
         top += row.mu * driven_to(k, s_.v(idx(first(c)), r)), below += row.mu;
       else
-        top += row.beta * force_on(c)[r], below += row.beta * row.mass;
+        top += row.beta * force_on(c)[r], below += row.beta * rows_.mass[idx(c)];
     }
     double const common = below > 0 ? top / below : 0;
     double mean = 0, change = 0, mu = 0, at_n = 0, of_change = 0;
@@ -124,9 +126,9 @@ class Mover {
       double v = 0;
       if (k >= 0) {
         double const a = driven_to(k, old);
-        double f = row.weight * g_[r];
+        double f = rows_.weight[idx(c)] * g_[r];
         for (int i = p_.start[idx(c)]; i < p_.start[idx(c + 1)]; ++i) f += force_(idx(p_.node[idx(i)]), r);
-        reaction_[idx(k)] += row.mass * a + row.mu * (a - common) - f;
+        reaction_[idx(k)] += rows_.mass[idx(c)] * a + row.mu * (a - common) - f;
         v = driven_[idx(k)];
       } else {
         double const f = force_on(c)[r];
@@ -135,9 +137,9 @@ class Mover {
       }
       put(c, r, v);
       double const twice = old + v, step = v - old;
-      at_n += (row.mass + row.mu) * twice * twice, of_change += (row.mass + row.mu) * step * step;
+      at_n += row.inertia * twice * twice, of_change += row.inertia * step * step;
       mean += row.mu * twice, change += row.mu * step, mu += row.mu;
-      sums_.gravity += row.weight * gm_[r] * v * dt_;
+      sums_.gravity += rows_.weight[idx(c)] * gm_[r] * v * dt_;
     }
     double const per_mu = mu > 0 ? 1 / mu : 0;
     sums_.kinetic.at_n += 0.125 * (at_n - per_mu * mean * mean);
@@ -150,6 +152,7 @@ class Mover {
   PointRows const& rows_;
   core::NodeField const& force_;
   Vec3 g_, gm_;
+  bool reads_energy_;
   std::span<double const> driven_;
   std::span<double> reaction_;
   double dt_, keep_, scale_, alpha_;
@@ -159,13 +162,13 @@ class Mover {
 } // namespace
 
 TetSums move_points(Model const& m, State& s, state::Scratch& w, Vec3 gravity, Vec3 gravity_mean,
-                    std::span<double const> driven) {
+                    bool reads_energy, std::span<double const> driven) {
   auto &part = w.points.part_reaction, &reaction = w.points.reaction;
   std::size_t const count = m.points.count(), kinds = m.prescribed.size(),
                     chunks = parallel::chunks(count, points_per_chunk);
   part.assign(chunks * kinds, 0), reaction.assign(kinds, 0);
   parallel::for_chunks(count, points_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    Mover mover(m, s, w, gravity, gravity_mean, driven, {part.data() + chunk * kinds, kinds});
+    Mover mover(m, s, w, gravity, gravity_mean, reads_energy, driven, {part.data() + chunk * kinds, kinds});
     mover.move(begin, end);
     w.tet_sums[chunk] = mover.sums();
   });

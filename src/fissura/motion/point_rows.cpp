@@ -85,10 +85,11 @@ void renew_point(Model const& m, State const& s, PointRows& rows, std::size_t po
   int const first = p.first[point], end = p.first[point + 1];
   for (int c = first; c < end; ++c) {
     auto& row = rows.row[idx(c)] = {};
+    auto &mass = rows.mass[idx(c)] = 0, &weight = rows.weight[idx(c)] = 0;
     for (int i = p.start[idx(c)]; i < p.start[idx(c + 1)]; ++i) {
       auto const node = idx(p.node[idx(i)]);
-      row.mass += m.mass[node];
-      row.weight += m.mass[node] * m.tets.weight_ratio[node / 4];
+      mass += m.mass[node];
+      weight += m.mass[node] * m.tets.weight_ratio[node / 4];
     }
     row.mu = p.own[idx(c)];
   }
@@ -103,9 +104,10 @@ void renew_point(Model const& m, State const& s, PointRows& rows, std::size_t po
   for (int c = first; c < end; ++c) {
     auto& row = rows.row[idx(c)];
     if (members[rows.part[idx(c)]] == 1) row.mu = 0; // nothing to be inert against
-    row.inverse = 1 / (row.mass + row.mu);
+    row.inertia = rows.mass[idx(c)] + row.mu;
+    row.inverse = 1 / row.inertia;
     row.beta = row.mu * row.inverse;
-    pull += row.beta * row.mass, mu += row.mu;
+    pull += row.beta * rows.mass[idx(c)], mu += row.mu;
   }
   rows.per_pull[point] = pull > 0 ? 1 / pull : 0;
   rows.per_mu[point] = mu > 0 ? 1 / mu : 0;
@@ -135,7 +137,8 @@ PointRows make_rows(Model const& m, State const& s) {
   PointRows rows;
   auto const& p = m.points;
   if (!p.any()) return rows;
-  rows.row.resize(p.start.size() - 1), rows.part.assign(p.start.size() - 1, 0);
+  rows.row.resize(p.start.size() - 1), rows.mass.resize(rows.row.size()), rows.weight.resize(rows.row.size());
+  rows.part.assign(p.start.size() - 1, 0);
   rows.per_pull.resize(p.count()), rows.per_mu.resize(p.count()), rows.parts.assign(p.count(), 1);
   for (std::size_t i = 0; i < p.count(); ++i) renew_point(m, s, rows, i);
   for (std::size_t g = 0; g < s.joint_history.groups(); ++g)

@@ -34,9 +34,10 @@ double drop_released(model::Model const& m, state::State const& s, state::Scratc
 
 /// v(n-1/2), u(n) -> v(n+1/2), u(n+1) from the corner forces in Scratch. Prescribed components get `driven`
 /// (per Model::prescribed: the velocity at n + 1/2 [m/s]); what that takes at u_n is left in
-/// PointRows::reaction. Returns what the step dissipated; kinetic with the joints' inertia.
+/// PointRows::reaction. Returns what the step dissipated, and the kinetic energy with the joints' inertia,
+/// whole only with `reads_energy`.
 state::TetSums move_points(model::Model const& m, state::State& s, state::Scratch& w, Vec3 gravity,
-                           Vec3 gravity_mean, std::span<double const> driven);
+                           Vec3 gravity_mean, bool reads_energy, std::span<double const> driven);
 
 /// Kinetic energy of joint inertia at the velocities of `s` [J].
 double relative_energy(model::Model const& m, state::State const& s, state::PointRows const& rows);

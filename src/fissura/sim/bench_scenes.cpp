@@ -38,6 +38,7 @@ Case block(std::array<int, 3> cells) {
   concrete.f_c = 30e6;
   c.concretes = {concrete};
   c.run.end_time = 1;
+  c.run.joint_inertia = model::JointInertia::off;
   return c;
 }
 
@@ -93,6 +94,12 @@ Case beam(long tets) {
   return c;
 }
 
+Case beam_with_inertia(long tets) {
+  auto c = beam(tets);
+  c.run.joint_inertia = model::JointInertia::on;
+  return c;
+}
+
 /// Every node its own small velocity, so that nothing is trivially zero.
 void shake(Model const& m, State& s) {
   for (int node = 0; node < 4 * m.tet_count(); ++node)
@@ -133,6 +140,7 @@ std::vector<BenchScene> const& scenes() {
       {"uncracked", "uncracked cube", cube, shake},
       {"unstructured", "uncracked cube meshed by gmsh", unstructured_cube, shake},
       {"beam", "uncracked beam with bars and contact", beam, shake},
+      {"joint_inertia", "the same beam with joint inertia", beam_with_inertia, shake},
       {"half_damaged", "cube, half of its joints damaged", cube, damage_half},
       {"fragmented", "cube in pieces, some 10 % of its joints broken, with contact", cube, break_to_pieces},
   };

@@ -13,6 +13,7 @@
 #include "fissura/mesh/gmsh_reader.hpp"
 #include "fissura/mesh/inp_reader.hpp"
 #include "fissura/mesh/renumber.hpp"
+#include "fissura/model/defaults.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/make_joints.hpp"
 #include "fissura/model/make_points.hpp"
@@ -123,10 +124,12 @@ void check_joint_inertia(model::Case const& c, BuildReport& report) {
     throw core::InputError(
         {c.deck_file},
         "`least_dt` and `joint_inertia` of [run] both lengthen the step: leave `least_dt` out");
-  bool const fast = !c.impactors.empty() || !c.initial_velocities.empty() ||
-                    std::any_of(c.concretes.begin(), c.concretes.end(),
-                                [](auto const& k) { return k.rate_factor != model::RateFactor::none; });
-  if (fast)
+  if (model::has_local_damping(c))
+    throw core::InputError(
+        {c.deck_file},
+        "`local_damping` and `joint_inertia` of [run] do not go together: damp by `mass_damping`, or leave "
+        "`joint_inertia` out");
+  if (model::is_fast(c))
     report.warnings.push_back(
         "`joint_inertia` of [run] delays cracks that open within some crossings of an element "
         "by a wave, and softens contact: not for impact, spalling and waves");
@@ -135,11 +138,12 @@ void check_joint_inertia(model::Case const& c, BuildReport& report) {
 void choose_step(Model& m, BuildReport& report) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
-  if (run.joint_inertia) {
+  bool const inertia = model::has_joint_inertia(m.source);
+  if (inertia) {
     check_joint_inertia(m.source, report);
     model::make_points(m);
   }
-  auto const stable = run.joint_inertia  ? step::choose_inertia(m)
+  auto const stable = inertia            ? step::choose_inertia(m)
                       : run.least_dt > 0 ? lift_step(m, share * run.least_dt / run.dt_factor)
                                          : step::stable_step(m);
   double const limit = stable.dt / share;
@@ -166,6 +170,7 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   };
   Model m;
   m.source = c;
+  m.source.run.energy_every = model::steps_per_reading(c);
   pause();
   m.mesh = make_mesh(c.mesh);
   pause();

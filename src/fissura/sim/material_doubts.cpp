@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <numbers>
 
+#include "fissura/model/defaults.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/units/units.hpp"
 
@@ -82,7 +83,7 @@ class MaterialDoubts {
                       "is 1 to 1000",
                       c.name, c.density_factor, c.density_factor));
     if (!c.joints) return;
-    double const ratio = c.penalty > 0 ? c.penalty / c.E : 20; // 0 stands for the default
+    double const ratio = model::joint_penalty(m.source, c) / c.E;
     if (ratio < 5)
       doubt(
           fmt::format("{}: `penalty` = {:.3g} E: the joints are so soft that the sound body has {:.2g} % of "

@@ -100,7 +100,10 @@ bool Run::Impl::advance() {
   if (row || steering) gauges_.read_state(m_, s_);
   step::advance(m_, s_, w_, reading ? &energy_ : nullptr);
   if (auto trouble = guards_.after_step(m_, s_)) throw RunFailure(std::move(*trouble));
-  if (!reading) return false;
+  if (!reading) {
+    if (stages_.is_over(m_, s_)) change_stage(false);
+    return false;
+  }
   take_reading();
   if (row || steering) gauges_.read_forces(m_, s_, load_time);
   if (row) {
@@ -111,7 +114,8 @@ bool Run::Impl::advance() {
   if (steering)
     if (auto const reached = follow_paths(m_, s_, gauges_, log_)) ended_by_ = {EndedBy::What::path, *reached};
   if (beat && pace_.is_on()) pace_.steer(energy_.kinetic, energy_.internal(), s_);
-  if (beat) change_stage(); // on a beat of its own, so that output settings change no result
+  // Rest is looked for on a beat of its own, so that output settings change no result.
+  if (beat || stages_.is_over(m_, s_)) change_stage(beat);
   if (ended_by_.what != EndedBy::What::none) return result_.reason = ended_by_.reason, true;
   show_progress();
   return false;
@@ -126,9 +130,9 @@ void Run::Impl::take_reading() {
                  100 * m_.source.run.residual_warn);
 }
 
-void Run::Impl::change_stage() {
+void Run::Impl::change_stage(bool beat) {
   auto const& stage = m_.stages[s_.stage];
-  bool const is_quiet = stage.settle > 0 && energy_.internal() > 0 &&
+  bool const is_quiet = beat && stage.settle > 0 && energy_.internal() > 0 &&
                         energy_.kinetic < stage.settle * energy_.internal() &&
                         monitor_.last_imbalance() < 0.05;
   if (!stages_.go_on(m_, s_, is_quiet)) return;

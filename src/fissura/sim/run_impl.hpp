@@ -63,7 +63,7 @@ class Run::Impl {
   bool reason_to_stop();
   bool advance();
   void take_reading();
-  void change_stage();
+  void change_stage(bool beat);
   void show_progress();
   void finish();
   std::string last_good_checkpoint() const;

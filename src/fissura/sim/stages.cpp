@@ -45,6 +45,11 @@ void Stages::go_on_from(Model const& m, State const& s) {
   end_ = m.source.run.end_time > 0 ? m.source.run.end_time : s.stage_start[s.stage] + length_from(m, s.stage);
 }
 
+bool Stages::is_over(Model const& m, State const& s) const {
+  return s.stage + 1 < static_cast<int>(m.stages.size()) &&
+         s.load_time() - s.stage_start[s.stage] >= m.stages[s.stage].duration;
+}
+
 bool Stages::go_on(Model const& m, State& s, bool is_quiet) {
   double const now = s.load_time();
   settled_ = is_quiet && !loads_change(m, s) ? settled_ + 1 : 0;

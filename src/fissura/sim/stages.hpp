@@ -17,9 +17,12 @@ class Stages {
   /// When the stages end, as far as known, in load time [s]; an `end_time` of the deck stands.
   double end() const { return end_; }
 
-  /// To be asked at each reading of the energies: begins the next stage if the present one has lasted its
-  /// time or has settled (`is_quiet` three times in a row while no load is on its way). True if one has
-  /// begun.
+  /// Whether the present stage has lasted its time and another one follows.
+  bool is_over(model::Model const& m, state::State const& s) const;
+
+  /// To be asked at each reading of the energies, and when a stage is over: begins the next stage if the
+  /// present one has lasted its time or has settled (`is_quiet` three times in a row while no load is on its
+  /// way). True if one has begun.
   bool go_on(model::Model const& m, state::State& s, bool is_quiet);
 
   /// Goes on from a checkpoint, maybe with another `end_time` or length of the last stage.

@@ -6,14 +6,16 @@
 namespace fissura::state {
 
 struct PointRows {
-  /// Of a cluster. mu: its inertia relative to its point.
+  /// Of a cluster of mass m: what every step reads. mu: its inertia relative to its point.
   struct Row {
-    double mass = 0, mu = 0; ///< [kg]
-    double inverse = 0;      ///< 1/(mass + mu)
-    double beta = 0;         ///< mu/(mass + mu)
-    double weight = 0;       ///< the real mass: what gravity acts on [kg]
+    double inverse = 0; ///< 1/(m + mu)
+    double beta = 0;    ///< mu/(m + mu)
+    double mu = 0;      ///< [kg]
+    double inertia = 0; ///< m + mu [kg]
   };
   std::vector<Row> row;
+  std::vector<double> mass;          ///< per cluster: m [kg]
+  std::vector<double> weight;        ///< per cluster: the real mass, what gravity acts on [kg]
   std::vector<double> per_pull;      ///< per point in one part: 1/sum(beta mass); 0 with one cluster
   std::vector<double> per_mu;        ///< per point in one part: 1/sum(mu)
   std::vector<std::uint8_t> parts;   ///< per point: how many parts its released joints have left

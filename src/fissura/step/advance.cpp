@@ -65,9 +65,9 @@ double begin_motions(Model const& m, State& s, Scratch const& w) {
 
 /// With joint inertia: Eq. (1) for all copies of a point, driven ones among them.
 loads::MotionEffects move_points(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
-                                 state::TetSums& sums) {
+                                 bool reads_energy, state::TetSums& sums) {
   loads::next_velocities(m, s, w.driven);
-  sums += motion::move_points(m, s, w, gravity, gravity_mean, w.driven);
+  sums += motion::move_points(m, s, w, gravity, gravity_mean, reads_energy, w.driven);
   return loads::book_reactions(m, s, w.driven, w.points.reaction);
 }
 
@@ -95,7 +95,7 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
       m, s, w, gravity, gravity_mean, reading != nullptr);
   auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
   auto const motion = m.points.any()
-                          ? move_points(m, s, w, gravity, gravity_mean, sums)
+                          ? move_points(m, s, w, gravity, gravity_mean, reading != nullptr, sums)
                           : loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
   post_energy(m, s, sums, {impact, waves, motion, impactors}, reading);

@@ -80,7 +80,7 @@ class Tangent {
       double mu = 0, mass = 0, left = 0; // left: 1 - |w|^2, without cancellation
       for (std::size_t c = first; c < end; ++c) {
         auto const& row = w_.points.row[c];
-        mu += row.mu, mass += row.mass, left += row.beta * row.mass;
+        mu += row.mu, mass += w_.points.mass[c], left += row.beta * w_.points.mass[c];
       }
       if (mu > 0) left /= mu, gamma_[i] = (1 / std::sqrt(left) - 1) / (1 - left);
       for (std::size_t c = first; c < end; ++c) {

@@ -67,7 +67,7 @@ TEST(JointSlots, made_anew_change_no_bit) {
 // restart are those of the run, and what vanishes with the joints is booked as lost.
 TEST(PointRows, made_anew_change_no_bit) {
   auto c = deck::read_case(FISSURA_TEST_DATA "/../decks/smashed_beam.toml", {});
-  c.run.joint_inertia = true;
+  c.run.joint_inertia = model::JointInertia::on;
   Stepper x(c), y(c);
   int split = 0;
   for (int i = 0; i < 10; ++i) {

@@ -64,7 +64,7 @@ TEST(Threads, give_the_same_bits_in_a_bonded_body) {
 // Requirement: the same with joint inertia, the points of which lie in many chunks.
 TEST(Threads, give_the_same_bits_with_joint_inertia) {
   auto c = tie_case({8, 4, 4}, 1, 2);
-  c.run.joint_inertia = true;
+  c.run.joint_inertia = model::JointInertia::on;
   auto const one = run(c, 1, 600);
   EXPECT_GT(one.damaged, 20);
   for (int const threads : {1, 2, 3, 8}) expect_same(one, run(c, threads, 600));

@@ -130,14 +130,15 @@ TEST(SteelKato, ReloadingOfABarThatIsWeakenedEndsInTension) {
   EXPECT_LE(h.stress, 0.14 * 650e6);
 }
 
-// A bar whose strength falls below its stress while it unloads follows the strength down and turns without a
-// jump.
+// A bar whose strength falls below its stress while it unloads follows the strength down, is told so
+// (`weaken`), and turns without a jump.
 TEST(SteelKato, UnloadingOfABarThatIsWeakenedFollowsItsStrength) {
   KatoHistory h;
   SteelKato law{table_4()};
   go(law, h, 0.02);
   for (double share = 1; share > 0.1; share -= 1e-3) {
     law.params = reduced(table_4(), share);
+    law.weaken(h);
     law(h, h.strain - 1e-8);
     EXPECT_LE(h.stress, share * 530e6 * (1 + 1e-12)) << share;
   }

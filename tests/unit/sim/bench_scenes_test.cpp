@@ -51,8 +51,8 @@ TEST(BenchScenes, refuses_unknown_names) {
     bench_scene("rubble");
     FAIL();
   } catch (core::Error const& e) {
-    EXPECT_STREQ(e.what(),
-                 "no scene 'rubble'; there are uncracked, unstructured, beam, half_damaged, fragmented");
+    EXPECT_STREQ(e.what(), "no scene 'rubble'; there are uncracked, unstructured, beam, joint_inertia, "
+                           "half_damaged, fragmented");
   }
 }
 

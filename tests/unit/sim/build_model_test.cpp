@@ -68,6 +68,7 @@ TEST(MixedMaterials, move_as_one_body) {
 TEST(BuildModel, masses_and_notes) {
   auto c = tie_case({4, 2, 2}, 1, 1);
   c.concretes[0].G_f = 0;
+  c.run.joint_inertia = model::JointInertia::off;
   Stepper x(c);
   double mass = 0;
   for (double const m : x.m.mass) mass += m;
@@ -85,9 +86,36 @@ TEST(BuildModel, masses_and_notes) {
   EXPECT_TRUE(noted("worst plane"));
 }
 
+// Requirement: joint inertia lengthens the step by itself where loading is slow, and its joints have 100 E
+// unless the case gives a penalty; not with what it delays or what asks for a step of its own.
+TEST(BuildModel, lets_joints_carry_inertia_where_loading_is_slow) {
+  auto const slow = tie_case({4, 2, 2}, 1, 1);
+  auto off = slow;
+  off.run.joint_inertia = model::JointInertia::off;
+  Stepper const with(slow), without(off);
+  EXPECT_TRUE(with.m.points.any());
+  EXPECT_FALSE(without.m.points.any());
+  EXPECT_GT(with.m.dt, 3 * without.m.dt);
+  EXPECT_NEAR(with.m.joints.k(0), 5 * without.m.joints.k(0), 1e-9 * with.m.joints.k(0));
+  auto const falls_back = [&](auto const& change) {
+    auto c = slow;
+    change(c);
+    return !Stepper(c).m.points.any();
+  };
+  EXPECT_TRUE(falls_back([](model::Case& c) { c.run.dt = 1e-7; }));
+  EXPECT_TRUE(falls_back([](model::Case& c) { c.run.local_damping = 0.3; }));
+  EXPECT_TRUE(falls_back([](model::Case& c) { c.run.least_dt = 2e-7; }));
+  EXPECT_TRUE(falls_back([](model::Case& c) { c.absorbing = {{{}, "all", support::everything()}}; }));
+  EXPECT_TRUE(falls_back([](model::Case& c) { c.concretes[0].rate_factor = model::RateFactor::mc2010; }));
+  auto both = slow;
+  both.run.local_damping = 0.3, both.run.joint_inertia = model::JointInertia::on;
+  EXPECT_THROW(Stepper{both}, core::InputError);
+}
+
 // Requirement: dt is dt_factor of the stable step, or as given.
 TEST(BuildModel, chooses_the_step) {
   auto c = tie_case({4, 2, 2}, 1, 1);
+  c.run.joint_inertia = model::JointInertia::off;
   Stepper a(c);
   EXPECT_DOUBLE_EQ(a.m.dt, 0.85 * step::stable_step(a.m).dt);
   c.run.dt_factor = 0.5;

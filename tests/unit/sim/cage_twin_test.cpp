@@ -116,6 +116,7 @@ axis = "z"
 velocity = {value = "-3 m/s", over = "0.05 ms"}
 [run]
 end_time = "1 ms"
+joint_inertia = false
 threads = 1
 )",
                               folder / "case.toml");

@@ -279,7 +279,7 @@ TEST(CoarseLoads, AreNamed) {
 // Requirement: joint inertia is refused where it cannot be right, and warned of where it is not.
 TEST(Step, JointInertiaIsForSlowLoading) {
   auto c = tie();
-  c.run.joint_inertia = true;
+  c.run.joint_inertia = model::JointInertia::on;
   EXPECT_EQ(refusal_of(c), "none");
   EXPECT_FALSE(warns(c, "joint_inertia"));
   auto fast = c;

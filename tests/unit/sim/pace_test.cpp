@@ -27,6 +27,7 @@ model::Case slow_pull(double pace) {
   c.gauges = {force, moved};
   c.run.pace = pace;
   c.run.mass_damping = 500;
+  c.run.joint_inertia = model::JointInertia::off;
   return c;
 }
 

@@ -65,7 +65,9 @@ std::string refusal(sim::Run& run, std::string const& name, std::string const& k
 TEST(Stepping, changes_a_motion_smoothly) {
   sim::RunOptions o;
   o.quiet = true, o.threads = 1;
-  sim::Run run(tie(), o);
+  auto c = tie();
+  c.run.joint_inertia = model::JointInertia::off; // a step is short beside the ramp
+  sim::Run run(c, o);
   run.open();
   while (run.state().time < 3e-4) ASSERT_TRUE(run.step());
   double const before = run.state().prescribed_velocity.back();

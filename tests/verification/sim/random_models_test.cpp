@@ -82,7 +82,7 @@ void expect_closed_ledgers(bool joint_inertia) {
   double worst = 0;
   for (int seed = 0; seed < cases; ++seed) {
     auto c = any_case(seed);
-    c.run.joint_inertia = joint_inertia;
+    c.run.joint_inertia = joint_inertia ? model::JointInertia::on : model::JointInertia::off;
     auto const o = run(c, 1500);
     EXPECT_LE(std::abs(o.residual), 0.01) << "case " << seed << ", " << o.damaged << " joints damaged";
     if (std::abs(o.residual) > std::abs(worst)) worst = o.residual;

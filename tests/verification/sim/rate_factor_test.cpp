@@ -22,6 +22,7 @@ Pull pull(model::RateFactor factor, double rate, double noise = 0) {
   double const length = 0.01 / rate, width = 0.25 * length;
   auto c = box_case({4, 1, 1}, {length, width, width}, 1);
   c.concretes[0].rate_factor = factor;
+  c.run.joint_inertia = model::JointInertia::off;
   c.concretes[0].nu = 0;
   c.concretes[0].penalty = 200 * c.concretes[0].E;
   c.supports = {support_at("left", plane(0, 0), {true, false, false})};

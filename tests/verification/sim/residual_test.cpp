@@ -25,6 +25,7 @@ template <class Meddle> Watched watch(double stop, Meddle const& meddle) {
   auto c = tie_case({6, 2, 2}, 1, 0.2);
   c.run.mass_damping = 500;
   c.run.residual_stop = stop;
+  c.run.joint_inertia = model::JointInertia::off;
   Stepper x(c);
   sim::Monitor monitor(x.m);
   Watched r;
