@@ -30,9 +30,13 @@ void joint_forces(model::Model const& m, state::State& s, state::Scratch& w);
 /// F_conc,FE at u_n, gather of joint forces and overlay, damping, Eq. (1): v(n-1/2), u(n) -> v(n+1/2),
 /// u(n+1). Gravity acts with `gravity`; `gravity_mean` (now and next step) gives its work. Returns what the
 /// step dissipated; the kinetic energy whole only with `reads_energy`.
-/// With joint inertia nothing moves: the forces are left in Scratch::corner_force.
 state::TetSums tet_forces_and_integrate(model::Model const& m, state::State& s, state::Scratch& w,
                                         Vec3 gravity, Vec3 gravity_mean, bool reads_energy = false);
+
+/// The same forces of the blocks [begin, end) into Scratch::corner_force; nothing moves. Not parallel: the
+/// caller gives each thread its blocks.
+state::TetSums tet_forces(model::Model const& m, state::State& s, state::Scratch& w, std::size_t begin,
+                          std::size_t end);
 
 /// Elastic energy in the tets at u [J].
 double strain_energy(model::Model const& m, state::State const& s);

@@ -79,12 +79,20 @@ void corner_forces(Model const& m, State& s, Scratch const& w, TakeForces const&
       });
 }
 
+TetSums tet_forces(Model const& m, State& s, Scratch& w, std::size_t begin, std::size_t end) {
+  TetPass const pass{&m.tets,   s.u.data(), s.v.data(),
+                     &w.joints, &w.overlay, w.corner_force.data() + doubles_per_block * begin,
+                     m.dt,      0,          0,
+                     {},        {},         false};
+  return kernels().tet_forces(pass, begin, end);
+}
+
 TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
                                  bool reads_energy) {
   auto const& stage = m.stages[s.stage];
   TetPass const pass{&m.tets, s.u.data(),         s.v.data(),          &w.joints, &w.overlay,   nullptr,
                      m.dt,    stage.mass_damping, stage.local_damping, gravity,   gravity_mean, reads_energy};
-  bool const integrates = !m.bonding.any && !m.points.any();
+  bool const integrates = !m.bonding.any;
   auto const run = kernels().tet_forces;
   parallel::for_chunks(m.tets.blocks(), blocks_per_chunk,
                        [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -96,7 +104,7 @@ TetSums tet_forces_and_integrate(Model const& m, State& s, Scratch& w, Vec3 grav
   TetSums total;
   std::size_t const chunks = parallel::chunks(m.tets.blocks(), blocks_per_chunk);
   for (std::size_t c = 0; c < chunks; ++c) total += w.tet_sums[c];
-  if (integrates || m.points.any()) return total; // points are moved by motion::move_points
+  if (integrates) return total;
 
   std::size_t const clusters = m.bonding.start.size() - 1, grain = 8 * blocks_per_chunk;
   parallel::for_chunks(clusters, grain, [&](std::size_t chunk, std::size_t begin, std::size_t end) {

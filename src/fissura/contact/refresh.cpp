@@ -134,8 +134,7 @@ double largest_face(Model const& m, int tet) {
 /// p/h of a tet, as in its joints [Pa/m].
 double face_stiffness(Model const& m, int tet) {
   auto const& c = m.source.concretes[m.material_of_tet[tet]];
-  return model::joint_penalty(m.source, c) /
-         geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, tet)));
+  return model::joint_penalty(c) / geometry::regular_edge(geometry::volume(mesh::corners(m.mesh, tet)));
 }
 
 /// Fragments of one body rub as the faces of their cracks did; bodies that were never joined as [contact]

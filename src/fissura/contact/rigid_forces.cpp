@@ -165,7 +165,7 @@ double face_area(Model const& m, int tet, int face) {
 double rigid_stiffness(Model const& m, int tet, double area, model::RigidBody const& body) {
   auto const t = static_cast<std::size_t>(tet);
   auto const& c = m.source.concretes[static_cast<std::size_t>(m.material_of_tet[t])];
-  double const penalty = model::joint_penalty(m.source, c);
+  double const penalty = model::joint_penalty(c);
   double mass = 0;
   for (int a = 0; a < 4; ++a) mass += m.mass[static_cast<std::size_t>(model::node_of(tet, a))];
   if (body.is_impactor) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "fissura/deck/fields.hpp"
+#include "fissura/model/defaults.hpp"
 #include "fissura/model/presets.hpp"
 #include "fissura/units/decimal.hpp"
 
@@ -14,6 +15,7 @@ using model::ConcreteSpec;
 using model::JointRegionSpec;
 using model::SteelSpec;
 using Written = std::optional<std::string>;
+using model::default_penalty;
 using units::Dimension;
 
 bool is_multiple(Node const& n) {
@@ -24,7 +26,7 @@ bool is_multiple(Node const& n) {
 void read_penalty(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
   Wanted wanted(k);
   wanted.dimension = is_multiple(n) ? Dimension::none : Dimension::pressure;
-  c.penalty = read_quantity(r, n, wanted).value_or(1);
+  c.penalty = read_quantity(r, n, wanted).value_or(default_penalty);
 }
 
 void read_h(Reader& r, Node const& n, Key const& k, ConcreteSpec& c) {
@@ -102,7 +104,11 @@ void finish_concrete(Reader& reader, Node const& table, void* record) {
   else if (!reader.given(record, "E"))
     reader.error(table,
                  "[[concrete]] needs `E`: a pressure; or preset = \"mc2010\", which takes it from `f_c`");
-  if (Node const* const penalty = table.find("penalty"); penalty && is_multiple(*penalty)) c.penalty *= c.E;
+  Node const* penalty = table.find("penalty");
+  if (!penalty)
+    c.penalty = default_penalty * c.E;
+  else if (is_multiple(*penalty))
+    c.penalty *= c.E;
   if (reader.given(record, "f_ck") && reader.given(record, "f_c"))
     reader.error(reader.place(record, "f_ck"),
                  "give either `f_c`, the mean strength, or `f_ck`, that of the class: f_c = f_ck + 8 MPa");
@@ -203,15 +209,12 @@ void add_joints(Fields<ConcreteSpec>& f) {
   f.flag("crackable", &ConcreteSpec::crackable, "`false`: its joints stay linear elastic.");
   f.custom(
        "penalty", "a number (times E) or a pressure",
-       "Stiffness p of the joints: a larger one adds less compliance; without `joint_inertia` of [run] it "
+       "Stiffness p of the joints: a larger one adds less compliance and, without `joint_inertia` of [run], "
        "asks for shorter steps.",
        read_penalty,
-       [](ConcreteSpec const& c) -> Written {
-         if (c.penalty == 0) return std::nullopt;
-         return write_quantity(c.penalty, Dimension::pressure);
-       })
+       [](ConcreteSpec const& c) -> Written { return write_quantity(c.penalty, Dimension::pressure); })
       .positive()
-      .default_is("100 with `joint_inertia` of [run], else 20");
+      .default_is("20");
   f.custom("h", "`volume`, `joint_edge` or a length",
            "Element size of the peak opening o_p = 2 h f_t/p: of the neighbours' volume, or the mean edge of "
            "the joint.",

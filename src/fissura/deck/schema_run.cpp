@@ -51,7 +51,8 @@ Section run_section() {
   f.custom("joint_inertia", "`automatic`, `true` or `false`",
            "The copies of a point get inertia against each other, so that joints do not set the time step: 4 "
            "to 12 times longer steps for slow loading. Not for waves, impact and spalling. Automatic: unless "
-           "there are impactors, planes, initial velocities, absorbing boundaries, a `rate_factor`, local "
+           "loads come so fast that cracks would be late, or there are impactors, planes, initial "
+           "velocities, absorbing boundaries, a `rate_factor`, local "
            "damping, `dt` or `least_dt`.",
            read_joint_inertia, write_joint_inertia);
   f.quantity("mass_damping", &RunSpec::mass_damping, Dimension::rate, "c of F = -c m v.").not_negative();

@@ -317,7 +317,8 @@ struct RunSpec {
   double local_damping = 0; ///< alpha of F = -alpha |f| sign(v) [-]
   int threads = 0;          ///< 0 = all
   long max_steps = 0;       ///< 0 = no limit
-  int energy_every = 0;     ///< steps between two readings of the ledger; 0: steps_per_reading()
+  int energy_every =
+      0; ///< steps between two readings of the ledger; 0: 50, or 10 of the longer ones of joint inertia
   double residual_warn = 0.01, residual_stop = 0.05;
   double pace = 1;            ///< > 1: loads run up to so many times faster than their curves
   double pace_kinetic = 0.01; ///< kinetic over internal energy that this may cost

@@ -15,21 +15,15 @@ bool has_local_damping(Case const& c) {
                                                 [](StageSpec const& s) { return s.local_damping > 0; });
 }
 
-bool has_joint_inertia(Case const& c) {
+bool may_have_joint_inertia(Case const& c) {
   if (c.run.joint_inertia != JointInertia::automatic) return c.run.joint_inertia == JointInertia::on;
   bool const has_joints =
       std::any_of(c.concretes.begin(), c.concretes.end(), [](ConcreteSpec const& k) { return k.joints; });
   return has_joints && !is_fast(c) && !has_local_damping(c) && c.run.least_dt == 0 && c.run.dt == 0;
 }
 
-int steps_per_reading(Case const& c) {
-  if (c.run.energy_every > 0) return c.run.energy_every;
-  return has_joint_inertia(c) ? 10 : 50;
-}
-
-double joint_penalty(Case const& c, ConcreteSpec const& concrete) {
-  if (concrete.penalty > 0) return concrete.penalty;
-  return (has_joint_inertia(c) ? 100 : 20) * concrete.E;
+double joint_penalty(ConcreteSpec const& concrete) {
+  return concrete.penalty > 0 ? concrete.penalty : default_penalty * concrete.E;
 }
 
 } // namespace fissura::model

@@ -13,15 +13,14 @@ bool is_fast(Case const& c);
 /// ties their accelerations; a column under 0.7 of it blew up at 0.65 of the stable step.
 bool has_local_damping(Case const& c);
 
-/// `[run] joint_inertia`. Automatic: where loading is slow and nothing else is asked of the time step.
-bool has_joint_inertia(Case const& c);
+/// Whether joints may carry inertia: `[run] joint_inertia` asks for it, or leaves it to the program
+/// (`automatic`) and nothing in the case speaks against it. What the loads' speed says is seen with the model
+/// (sim/crack_delay.hpp).
+bool may_have_joint_inertia(Case const& c);
 
-/// Steps between two readings of the ledger, at which paths are steered and rest is looked for. Where it is not
-/// given: 50, or 10 of the longer steps of joint inertia.
-int steps_per_reading(Case const& c);
+constexpr double default_penalty = 20; ///< times E
 
-/// p of the joints of a concrete [Pa]. Where it is not given: 100 E if joints do not set the time step, else
-/// 20 E, for the step falls as the root of it.
-double joint_penalty(Case const& c, ConcreteSpec const& concrete);
+/// p of the joints of a concrete [Pa].
+double joint_penalty(ConcreteSpec const& concrete);
 
 } // namespace fissura::model

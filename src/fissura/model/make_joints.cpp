@@ -31,9 +31,9 @@ FaceGeometry geometry_of(Model const& m, mesh::SharedFace const& f) {
   return g;
 }
 
-laws::CohesiveInput law_of(Case const& source, ConcreteSpec const& c, double h) {
+laws::CohesiveInput law_of(ConcreteSpec const& c, double h) {
   laws::CohesiveInput in;
-  in.p = joint_penalty(source, c);
+  in.p = joint_penalty(c);
   in.h = h;
   in.f_t = c.f_t;
   in.G_f = c.G_f > 0 ? c.G_f : default_fracture_energy(c.f_c);
@@ -164,7 +164,7 @@ ConcreteSpec const& weaker_side(Model const& m, mesh::SharedFace const& face) {
 
 laws::CohesiveParams joint_law(Model const& m, JointRegions const& regions, int shared_face) {
   auto const& weaker = weaker_side(m, m.adjacency.shared[shared_face]);
-  auto in = law_of(m.source, weaker, joint_size(m, shared_face, weaker));
+  auto in = law_of(weaker, joint_size(m, shared_face, weaker));
   regions.apply(shared_face, in);
   return laws::make_cohesive_params(in);
 }

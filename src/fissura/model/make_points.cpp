@@ -34,6 +34,31 @@ std::vector<int> number(Sets& sets, int& count) {
   return of;
 }
 
+/// Numbers points anew by parts (Points); per part where its points begin.
+std::vector<int> sort_by_part(std::vector<int>& point_of, int points) {
+  int const tets = static_cast<int>(point_of.size() / 4),
+            parts = (tets + Points::tets_per_part - 1) / Points::tets_per_part;
+  std::vector<int> part(static_cast<std::size_t>(points), -1);
+  for (std::size_t n = 0; n < point_of.size(); ++n) {
+    int& p = part[static_cast<std::size_t>(point_of[n])];
+    int const here = static_cast<int>(n / 4) / Points::tets_per_part;
+    p = p < 0 || p == here ? here : parts;
+  }
+  std::vector<int> order(static_cast<std::size_t>(points)), number(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return part[static_cast<std::size_t>(a)] < part[static_cast<std::size_t>(b)];
+  });
+  std::vector<int> begin(static_cast<std::size_t>(parts) + 1, 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    for (int k = part[static_cast<std::size_t>(order[i])] + 1; k <= parts; ++k)
+      begin[static_cast<std::size_t>(k)] = static_cast<int>(i) + 1;
+  }
+  for (int& p : point_of) p = number[static_cast<std::size_t>(p)];
+  return begin;
+}
+
 void find_prescribed(Model& m) {
   auto& p = m.points;
   std::vector<int> point_of(p.start.size() - 1);
@@ -69,9 +94,11 @@ void make_points(Model& m) {
     }
   }
   int point_count = 0, cluster_count = 0;
-  auto const point_of = number(points, point_count), cluster = number(clusters, cluster_count);
+  auto point_of = number(points, point_count);
+  auto const cluster = number(clusters, cluster_count);
+  auto of_part = sort_by_part(point_of, point_count);
 
-  // by point, then cluster, then node: each a number that ascends with the first node it holds
+  // by point, then cluster, then node
   std::vector<int> order(nodes);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -79,7 +106,7 @@ void make_points(Model& m) {
     return std::tuple{point_of[x], cluster[x], a} < std::tuple{point_of[y], cluster[y], b};
   });
   auto& p = m.points = {};
-  p.node = std::move(order);
+  p.node = std::move(order), p.of_part = std::move(of_part);
   p.cluster_of.resize(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
     auto const n = static_cast<std::size_t>(p.node[i]);

@@ -25,10 +25,10 @@ double sign(double x) {
 /// One pass over a range of points.
 class Mover {
  public:
-  Mover(Model const& m, State& s, state::Scratch const& w, Vec3 gravity, Vec3 gravity_mean, bool reads_energy,
-        std::span<double const> driven, std::span<double> reaction)
-      : m_(m), p_(m.points), s_(s), rows_(w.points), force_(w.corner_force), g_(gravity), gm_(gravity_mean),
-        reads_energy_(reads_energy), driven_(driven), reaction_(reaction), dt_(m.dt) {
+  Mover(Model const& m, State& s, state::Scratch const& w, Motion const& motion, std::span<double> reaction)
+      : m_(m), p_(m.points), s_(s), rows_(w.points), force_(w.corner_force), g_(motion.gravity),
+        gm_(motion.gravity_mean), reads_energy_(motion.reads_energy), driven_(motion.driven),
+        reaction_(reaction), dt_(m.dt) {
     auto const& stage = m.stages[s.stage];
     keep_ = 1 - 0.5 * stage.mass_damping * dt_, scale_ = 1 / (1 + 0.5 * stage.mass_damping * dt_);
     alpha_ = stage.local_damping;
@@ -161,21 +161,34 @@ class Mover {
 
 } // namespace
 
-TetSums move_points(Model const& m, State& s, state::Scratch& w, Vec3 gravity, Vec3 gravity_mean,
-                    bool reads_energy, std::span<double const> driven) {
-  auto &part = w.points.part_reaction, &reaction = w.points.reaction;
-  std::size_t const count = m.points.count(), kinds = m.prescribed.size(),
-                    chunks = parallel::chunks(count, points_per_chunk);
-  part.assign(chunks * kinds, 0), reaction.assign(kinds, 0);
-  parallel::for_chunks(count, points_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    Mover mover(m, s, w, gravity, gravity_mean, reads_energy, driven, {part.data() + chunk * kinds, kinds});
+TetSums move_points(Model const& m, State& s, state::Scratch& w, Motion const& motion,
+                    TetForces const& tet_forces) {
+  constexpr std::size_t blocks_per_part = model::Points::tets_per_part / model::block;
+  auto const& of_part = m.points.of_part;
+  auto const first_shared = static_cast<std::size_t>(of_part.back());
+  std::size_t const kinds = m.prescribed.size(), parts = of_part.size() - 1,
+                    shared = m.points.count() - first_shared,
+                    sums = parts + parallel::chunks(shared, points_per_chunk);
+  auto &part_reaction = w.points.part_reaction, &reaction = w.points.reaction;
+  part_reaction.assign(sums * kinds, 0), reaction.assign(kinds, 0);
+  auto const move = [&](std::size_t sum, std::size_t begin, std::size_t end) {
+    Mover mover(m, s, w, motion, {part_reaction.data() + sum * kinds, kinds});
     mover.move(begin, end);
-    w.tet_sums[chunk] = mover.sums();
+    w.tet_sums[sum] += mover.sums();
+  };
+  parallel::for_chunks(
+      m.tets.blocks(), blocks_per_part, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        w.tet_sums[part] = tet_forces(begin, end);
+        move(part, static_cast<std::size_t>(of_part[part]), static_cast<std::size_t>(of_part[part + 1]));
+      });
+  parallel::for_chunks(shared, points_per_chunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    w.tet_sums[parts + chunk] = {};
+    move(parts + chunk, first_shared + begin, first_shared + end);
   });
   TetSums total;
-  for (std::size_t c = 0; c < chunks; ++c) {
-    total += w.tet_sums[c];
-    for (std::size_t k = 0; k < kinds; ++k) reaction[k] += part[c * kinds + k];
+  for (std::size_t i = 0; i < sums; ++i) {
+    total += w.tet_sums[i];
+    for (std::size_t k = 0; k < kinds; ++k) reaction[k] += part_reaction[i * kinds + k];
   }
   return total;
 }

@@ -14,11 +14,6 @@ using state::State;
 
 namespace {
 
-/// mu r/d. 2 would do for joints that stay closed or open: no joint is then faster than r^1/2. Those that
-/// open and close under pressure meet a resonance at three steps a period, 0.87 of the stable step
-/// (docs/decisions/019-share-of-the-stable-step.md); with 3 they stay below 0.82 of it.
-constexpr double joint_share = 3;
-
 std::size_t idx(int i) {
   return static_cast<std::size_t>(i);
 }

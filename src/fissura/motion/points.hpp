@@ -17,12 +17,18 @@
 // they must have instead of a force; the rest of the point follows them.
 // The idea is that of bipenalty methods: Hetherington and Askes, Comput. Methods Appl. Mech. Engrg. (2014), a
 // mass matrix for cohesive surfaces. Theory and bounds: docs/theory/joint_inertia.md.
+#include <functional>
 #include <span>
 
 #include "fissura/model/model.hpp"
 #include "fissura/state/state.hpp"
 
 namespace fissura::motion {
+
+/// mu r/d. 2 would do for joints that stay closed or open: no joint is then faster than r^1/2. Those that
+/// open and close under pressure meet a resonance at three steps a period, 0.87 of the stable step
+/// (docs/decisions/019-share-of-the-stable-step.md); with 3 they stay below 0.82 of it.
+inline constexpr double joint_share = 3;
 
 /// The rows of all points, from the joints that are not released; empty without joint inertia.
 state::PointRows make_rows(model::Model const& m, state::State const& s);
@@ -32,12 +38,22 @@ state::PointRows make_rows(model::Model const& m, state::State const& s);
 /// vanishes with them, >= 0 [J].
 double drop_released(model::Model const& m, state::State const& s, state::Scratch& w);
 
-/// v(n-1/2), u(n) -> v(n+1/2), u(n+1) from the corner forces in Scratch. Prescribed components get `driven`
-/// (per Model::prescribed: the velocity at n + 1/2 [m/s]); what that takes at u_n is left in
-/// PointRows::reaction. Returns what the step dissipated, and the kinetic energy with the joints' inertia,
-/// whole only with `reads_energy`.
-state::TetSums move_points(model::Model const& m, state::State& s, state::Scratch& w, Vec3 gravity,
-                           Vec3 gravity_mean, bool reads_energy, std::span<double const> driven);
+/// Leaves the corner forces of the blocks [begin, end) of tets in Scratch and returns what they dissipate.
+using TetForces = std::function<state::TetSums(std::size_t begin, std::size_t end)>;
+
+/// What moves points beside the forces of their tets.
+struct Motion {
+  Vec3 gravity, gravity_mean;     ///< [m/s2]
+  std::span<double const> driven; ///< per Model::prescribed: the velocity at n + 1/2 [m/s]
+  bool reads_energy = false;      ///< the whole of the kinetic energy is asked for
+};
+
+/// Forces of all tets, and v(n-1/2), u(n) -> v(n+1/2), u(n+1): part by part, so that the points of a part are
+/// moved while its forces are at hand, and those that parts share afterwards. Prescribed components get
+/// `driven`; what that takes at u_n is left in PointRows::reaction. Returns what the step dissipated, and the
+/// kinetic energy with the joints' inertia, whole only with `reads_energy`.
+state::TetSums move_points(model::Model const& m, state::State& s, state::Scratch& w, Motion const& motion,
+                           TetForces const& tet_forces);
 
 /// Kinetic energy of joint inertia at the velocities of `s` [J].
 double relative_energy(model::Model const& m, state::State const& s, state::PointRows const& rows);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/core.h>
 #include <numbers>
+#include <optional>
 
 #include "fissura/contact/contact.hpp"
 #include "fissura/contact/rigid.hpp"
@@ -22,6 +23,7 @@
 #include "fissura/sim/advice.hpp"
 #include "fissura/sim/bar_doubts.hpp"
 #include "fissura/sim/columns.hpp"
+#include "fissura/sim/crack_delay.hpp"
 #include "fissura/sim/doubts.hpp"
 #include "fissura/sim/stages.hpp"
 #include "fissura/step/joint_inertia.hpp"
@@ -135,15 +137,37 @@ void check_joint_inertia(model::Case const& c, BuildReport& report) {
         "by a wave, and softens contact: not for impact, spalling and waves");
 }
 
+/// Whether joints get inertia; then the points are made. A load that is too fast for it is said, and where
+/// the choice is the program's it decides.
+std::optional<step::TiedBody> give_inertia(Model& m, BuildReport& report) {
+  constexpr double too_late = 0.15, worth_a_word = 0.05; // of f_t
+  if (!model::may_have_joint_inertia(m.source)) return std::nullopt;
+  check_joint_inertia(m.source, report);
+  model::make_points(m);
+  auto const tied = step::tied_body(m);
+  auto const delay = crack_delay(m, tied.rate);
+  auto const late =
+      fmt::format("cracks come late by up to some {:.0f} % of f_t, which loads bring in {:.2g} ms",
+                  100 * delay.share, 1e3 * delay.rise);
+  if (delay.share <= too_late) {
+    report.notes.push_back("joint inertia: on" + (delay.share > worth_a_word ? "; " + late : ""));
+    return tied;
+  }
+  if (m.source.run.joint_inertia == model::JointInertia::on) {
+    report.warnings.push_back("with joint inertia " + late +
+                              ": load more slowly, or leave `joint_inertia` of [run] out");
+    return tied;
+  }
+  report.notes.push_back("joint inertia: off, for with it " + late + " (slower loads take longer steps)");
+  m.points = {};
+  return std::nullopt;
+}
+
 void choose_step(Model& m, BuildReport& report) {
   auto const& run = m.source.run;
   double const share = damping_share(m);
-  bool const inertia = model::has_joint_inertia(m.source);
-  if (inertia) {
-    check_joint_inertia(m.source, report);
-    model::make_points(m);
-  }
-  auto const stable = inertia            ? step::choose_inertia(m)
+  auto const tied = give_inertia(m, report);
+  auto const stable = tied               ? step::choose_inertia(m, *tied)
                       : run.least_dt > 0 ? lift_step(m, share * run.least_dt / run.dt_factor)
                                          : step::stable_step(m);
   double const limit = stable.dt / share;
@@ -153,6 +177,7 @@ void choose_step(Model& m, BuildReport& report) {
   m.dt_limiter = run.dt > 0
                      ? fmt::format("given in the deck; stable step {:.4g} s by {}", limit, stable.limiter)
                      : stable.limiter;
+  if (run.energy_every == 0) m.source.run.energy_every = tied ? 10 : 50;
   check_reach(m);
   if (run.dt > limit)
     report.warnings.push_back(
@@ -170,7 +195,6 @@ Model build_model(model::Case const& c, BuildReport& report, std::function<void(
   };
   Model m;
   m.source = c;
-  m.source.run.energy_every = model::steps_per_reading(c);
   pause();
   m.mesh = make_mesh(c.mesh);
   pause();

@@ -83,7 +83,7 @@ class MaterialDoubts {
                       "is 1 to 1000",
                       c.name, c.density_factor, c.density_factor));
     if (!c.joints) return;
-    double const ratio = model::joint_penalty(m.source, c) / c.E;
+    double const ratio = model::joint_penalty(c) / c.E;
     if (ratio < 5)
       doubt(
           fmt::format("{}: `penalty` = {:.3g} E: the joints are so soft that the sound body has {:.2g} % of "

@@ -1,6 +1,7 @@
 #include "fissura/step/advance.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "fissura/concrete/concrete.hpp"
 #include "fissura/contact/contact.hpp"
@@ -63,11 +64,14 @@ double begin_motions(Model const& m, State& s, Scratch const& w) {
   return work + motion::relative_energy(m, s, w.points) - before;
 }
 
-/// With joint inertia: Eq. (1) for all copies of a point, driven ones among them.
+/// With joint inertia: forces of the tets and Eq. (1) for all copies of a point, driven ones among them.
 loads::MotionEffects move_points(Model const& m, State& s, Scratch& w, Vec3 gravity, Vec3 gravity_mean,
                                  bool reads_energy, state::TetSums& sums) {
   loads::next_velocities(m, s, w.driven);
-  sums += motion::move_points(m, s, w, gravity, gravity_mean, reads_energy, w.driven);
+  auto const forces = [&](std::size_t begin, std::size_t end) {
+    return concrete::tet_forces(m, s, w, begin, end);
+  };
+  sums = motion::move_points(m, s, w, {gravity, gravity_mean, w.driven, reads_energy}, std::ref(forces));
   return loads::book_reactions(m, s, w.driven, w.points.reaction);
 }
 
@@ -91,12 +95,17 @@ void advance(Model const& m, State& s, Scratch& w, EnergyBalance* reading) {
   contact::rigid_forces(m, s, w); //            and with planes and impactors
   loads::applied_forces(m, s, w); // F_ext
   if (reading) *reading = read_stored(m, s, &w.joints);
-  auto sums = concrete::tet_forces_and_integrate( // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
-      m, s, w, gravity, gravity_mean, reading != nullptr);
-  auto const waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
-  auto const motion = m.points.any()
-                          ? move_points(m, s, w, gravity, gravity_mean, reading != nullptr, sums)
-                          : loads::move_supports(m, s, gravity_mean); // prescribed motion, reactions
+  // F_conc,FE  Eqs. 6-12, F_damp, Eq. 1
+  state::TetSums sums;
+  loads::AbsorbingEffects waves;
+  loads::MotionEffects motion;
+  if (m.points.any()) {
+    motion = move_points(m, s, w, gravity, gravity_mean, reading != nullptr, sums);
+  } else {
+    sums = concrete::tet_forces_and_integrate(m, s, w, gravity, gravity_mean, reading != nullptr);
+    waves = loads::absorb_waves(m, s, w, gravity_mean); // dashpots of absorbing boundaries
+    motion = loads::move_supports(m, s, gravity_mean);  // prescribed motion, reactions
+  }
   auto const impactors = contact::move_impactors(m, s, gravity, gravity_mean);
   post_energy(m, s, sums, {impact, waves, motion, impactors}, reading);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fissura/model/make_blocks.hpp"
+#include "fissura/motion/points.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/step/highest_frequency.hpp"
 #include "fissura/step/tet_bound.hpp"
@@ -81,11 +82,19 @@ double step_of_loose_tets(Model const& m) {
 
 } // namespace
 
-StableStep choose_inertia(Model& m) {
+TiedBody tied_body(Model const& m) {
+  constexpr double near = 0.97; // of the tied body's step
+  double const omega_2 = highest_frequency(m, Copies::tied).omega_2;
+  return {omega_2, rate_for_loose_tets(loose_tets(m), omega_2 / (near * near))};
+}
+
+double inertia_of_joint(Model const& m, std::size_t joint, double rate) {
+  return 0.5 * motion::joint_share * m.joints.k(joint) / rate; // two sides in series
+}
+
+StableStep choose_inertia(Model& m, TiedBody const& tied) {
   constexpr int most_rounds = 4;
-  constexpr double near = 0.97; // of the bonded body's step
-  double const bonded = highest_frequency(m, Copies::tied).omega_2;
-  m.points.rate = rate_for_loose_tets(loose_tets(m), bonded / (near * near));
+  m.points.rate = tied.rate;
   double const wanted = 4 / m.points.rate; // dt^2
   lift_loose_tets(m);
   StableStep stable;
@@ -98,7 +107,7 @@ StableStep choose_inertia(Model& m) {
   }
   stable.of_loose_tets = step_of_loose_tets(m);
   stable.limiter = fmt::format("the body with its joints' inertia, {:.2f} of its step without joints",
-                               0.5 * stable.dt * std::sqrt(bonded));
+                               0.5 * stable.dt * std::sqrt(tied.omega_2));
   return stable;
 }
 

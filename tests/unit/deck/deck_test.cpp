@@ -260,7 +260,7 @@ TEST(Deck, ReadsQuantitiesIntoSi) {
   EXPECT_EQ(c.concretes[0].E, 29.73e9);
   EXPECT_EQ(c.concretes[0].f_t, 3.15e6);
   EXPECT_EQ(c.concretes[0].nu, 0.2);
-  EXPECT_EQ(c.concretes[0].penalty, 0) << "chosen with the time step";
+  EXPECT_EQ(c.concretes[0].penalty, 20 * 29.73e9) << "the default penalty is 20 E";
   EXPECT_EQ(c.run.joint_inertia, model::JointInertia::automatic);
   EXPECT_EQ(c.concretes[0].name, "concrete_1");
   EXPECT_EQ(c.supports[0].fix, (std::array<bool, 3>{true, true, false}));
@@ -542,10 +542,10 @@ TEST(Deck, FaultyCurveFiles) {
 // The echo names every default that the deck left unsaid.
 TEST(Deck, EchoHoldsTheDefaults) {
   std::string const text = deck::echo(read_case_text(small, "case.toml"));
-  for (auto const* line :
-       {"nu = 0.2\n", "density = \"2500 kg/m3\"\n", "joint_inertia = \"automatic\"\n",
-        "friction_angle = \"36 deg\"\n", "joint_law = \"energy_consistent\"\n", "dt_factor = 0.85\n",
-        "dowel = true\n", "history_points = 1000\n", "tets_per_cell = 6\n", "h = \"volume\"\n"})
+  for (auto const* line : {"nu = 0.2\n", "density = \"2500 kg/m3\"\n", "joint_inertia = \"automatic\"\n",
+                           "penalty = \"594.6 GPa\"\n", "friction_angle = \"36 deg\"\n",
+                           "joint_law = \"energy_consistent\"\n", "dt_factor = 0.85\n", "dowel = true\n",
+                           "history_points = 1000\n", "tets_per_cell = 6\n", "h = \"volume\"\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 

@@ -280,7 +280,11 @@ TEST(CoarseLoads, AreNamed) {
 TEST(Step, JointInertiaIsForSlowLoading) {
   auto c = tie();
   c.run.joint_inertia = model::JointInertia::on;
+  c.motions[0].curve.value = 1;
+  EXPECT_TRUE(warns(c, "with joint inertia cracks come late"));
+  c.motions[0].curve.value = 1e-3;
   EXPECT_EQ(refusal_of(c), "none");
+  EXPECT_FALSE(warns(c, "joint inertia"));
   EXPECT_FALSE(warns(c, "joint_inertia"));
   auto fast = c;
   fast.concretes[0].rate_factor = model::RateFactor::mc2010;

@@ -372,6 +372,27 @@ TEST(Stages, follow_one_another) {
   }
 }
 
+// Requirement: a stage begins in the step in which its time has come, however seldom the ledger is read.
+TEST(Stages, begin_at_their_time) {
+  auto c = tie_case({4, 1, 1}, 0, 1);
+  c.run.energy_every = 1'000'000;
+  for (double const duration : {1e-4, 3e-4}) {
+    model::StageSpec stage;
+    stage.duration = duration;
+    c.stages.push_back(stage);
+  }
+  sim::RunOptions o;
+  o.quiet = true, o.threads = 1;
+  sim::Run run(c, o);
+  run.open();
+  while (run.step()) {
+  }
+  double const dt = run.model().dt, begin = run.state().stage_start[1];
+  EXPECT_GE(begin, 1e-4);
+  EXPECT_LE(begin, 1e-4 + dt * 1.001);
+  EXPECT_LE(run.state().time, begin + 3e-4 + 2 * dt);
+}
+
 // Requirement: a stage does not count as settled while one of its loads is still growing, however slowly.
 TEST(Stages, do_not_settle_while_loads_grow) {
   TemporaryFolder const folder;

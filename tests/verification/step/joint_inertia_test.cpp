@@ -15,7 +15,7 @@ namespace {
 /// The model with joint inertia, at a share of its stable step.
 void give_inertia(model::Model& m, double share) {
   model::make_points(m);
-  auto const stable = step::choose_inertia(m);
+  auto const stable = step::choose_inertia(m, step::tied_body(m));
   m.dt = std::min(share * stable.dt, 0.95 * stable.of_loose_tets);
 }
 
