@@ -51,14 +51,14 @@ FISSURA_FIELDS(state::JointHistories, lane, rows)
 FISSURA_FIELDS(state::JointRate, sum, weight, last_step, excess, frozen)
 
 FISSURA_FIELDS(laws::BondCurve, strength, eps_y, s_y, ramp, H1, H2, eps_0, s_0)
-FISSURA_FIELDS(laws::BondHistory, sigma_cr, curve, s_max, shift, eps_max, K, yielded)
+FISSURA_FIELDS(laws::BondHistory, sigma_cr, curve, s_max, shift, eps_max, K, yielded, closed, s_closed)
 FISSURA_FIELDS(laws::Branch, strain, stress, own_1, own_2, left)
 FISSURA_FIELDS(laws::BranchList, at, count)
 FISSURA_FIELDS(laws::SteelHistory, strain, stress, now, rising, falling, eps_largest, eps_smallest, eps_z,
                direction, ruptured)
 FISSURA_FIELDS(laws::DowelHistory, DI, softening, V_max, strength)
 FISSURA_FIELDS(laws::BarJointHistory, activated, yielded, ruptured, S_0, t_0, stored_0, bond, steel, dowel, S,
-               t_s, sigma, V_s, strain)
+               t_s, sigma, V_s, strain, at_closing)
 FISSURA_FIELDS(state::BarJointAccount, bond_steel, dowel, rupture)
 FISSURA_FIELDS(state::BarJointMotion, axial, slip_from_start, t_1, t_2, held)
 FISSURA_FIELDS(state::BarState, elongation, element_stress, history, motion, account, joint_stress,

@@ -10,7 +10,7 @@
 
 namespace fissura::checkpoint {
 
-inline constexpr std::uint32_t format_version = 5;
+inline constexpr std::uint32_t format_version = 6;
 
 /// Writes a checkpoint whole or not at all: a temporary file, flushed to the disk, then renamed, then the
 /// folder flushed. Throws core::Error(Failure::io).

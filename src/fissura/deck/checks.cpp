@@ -144,6 +144,14 @@ void check_bars(Reader& reader) {
     check_reference(reader, &cage, "steel", cage.steel, steels, "[[steel]]");
     check_reference(reader, &cage, "stirrup_steel", cage.stirrup_steel, steels, "[[steel]]");
   }
+  bool const twice = c.bar_settings.between_cracks == model::BarBetweenCracks::elastic;
+  auto const is_consistent = [](model::BarSpec const* bar) {
+    return bar->slip_reduction == model::SlipReduction::consistent;
+  };
+  if (auto const bars = all_bars(c); twice && std::any_of(bars.begin(), bars.end(), is_consistent))
+    reader.error(reader.place(&c.bar_settings, "between_cracks"),
+                 "`between_cracks` = \"elastic\" counts the bar between cracks twice where slip_reduction = "
+                 "\"consistent\": leave it out, or give all bars slip_reduction = \"paper\"");
   auto const has_f_c = [&](auto const& m) { return m.f_c > 0 || !reader.good(&m, {"f_c"}); };
   if ((!c.bars.empty() || !c.cages.empty()) && !c.concretes.empty() &&
       std::none_of(c.concretes.begin(), c.concretes.end(), has_f_c))

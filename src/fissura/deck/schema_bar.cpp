@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "fissura/deck/cages.hpp"
-#include "fissura/deck/crack_spacing.hpp"
 #include "fissura/deck/fields.hpp"
+#include "fissura/deck/slip_keys.hpp"
 
 namespace fissura::deck {
 namespace {
@@ -37,6 +37,7 @@ void finish_bar(Reader& reader, Node const& table, void* record) {
   if (!diameter && !area) reader.error(table, "[[bar]] needs `diameter` or `area`");
   if (area && !diameter) bar.diameter = std::sqrt(4 * bar.area / std::numbers::pi);
   check_polyline(reader, table, bar);
+  check_slip_keys(reader, bar);
   if (bar.count > 1 && bar.spacing == Vec3{} && reader.good(record, {"spacing", "count"}))
     reader.error(reader.place(record, "count"),
                  fmt::format("{} bars need `spacing`, the offset from one to the next", bar.count));
@@ -80,9 +81,13 @@ Section bar_section() {
   f.number("initial_strain", &BarSpec::initial_strain,
            "Imposed strain; prestress > 0 stretches the steel. Smaller than f_y/E_s.")
       .range({-0.1, 0.1});
-  crack_spacing(
-      f, "Crack spacing seen by a bar joint: half the bar's length that belongs to it, h/2 (the paper), or "
-         "given.");
+  slip_keys(
+      f,
+      "With `consistent`: mean distance of the cracks that the bar itself makes, 4/3 (c + D/(7.2 rho_eff)) "
+      "(fib MC2010) with cover c and effective concrete area from the mesh, or given. It says how much of "
+      "the force the concrete between cracks takes.",
+      "With `paper`: crack spacing seen by a bar joint: half the bar's length that belongs to it, h/2 (the "
+      "paper), or given.");
   return s;
 }
 

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include "fissura/deck/cages.hpp"
-#include "fissura/deck/crack_spacing.hpp"
 #include "fissura/deck/fields.hpp"
+#include "fissura/deck/slip_keys.hpp"
 #include "fissura/model/cage.hpp"
 
 namespace fissura::deck {
@@ -154,6 +154,7 @@ void finish_cage(Reader& reader, Node const& table, void* record) {
   check_keys_of_kind(reader, c);
   check_layers(reader, table, c);
   check_corners(reader, c);
+  check_slip_keys(reader, c);
 }
 
 void add_member(Fields<CageSpec>& f) {
@@ -227,9 +228,10 @@ Section cage_section() {
                                        units::from_si(c.stirrups.spacing, Dimension::length)));
        })
       .echoed_if([](CageSpec const& c) { return c.stirrups.diameter > 0; });
-  crack_spacing(
-      f, "Crack spacing seen by the joints of its longitudinal bars, as `l_cr` of [[bar]]; half the distance "
-         "of the cracks one expects is a good choice. Stirrups stay `automatic`.");
+  slip_keys(f, "As `crack_spacing` of [[bar]], for its longitudinal bars. Stirrups stay `automatic`.",
+            "With `paper`: crack spacing seen by the joints of its longitudinal bars, as `l_cr` of [[bar]]; "
+            "half the "
+            "distance of the cracks one expects is a good choice. Stirrups stay `automatic`.");
   return s;
 }
 

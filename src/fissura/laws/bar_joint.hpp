@@ -15,8 +15,11 @@ struct BarJointInput {
   double D = 0;   ///< bar diameter [m]
   double A_s = 0; ///< steel area [m2]
   SteelParams steel;
-  double f_c = 0;  ///< compressive strength of the concrete [Pa]
-  double l_cr = 0; ///< distance to the next crack [m], > 0
+  double f_c = 0; ///< compressive strength of the concrete [Pa]
+  double l_cr =
+      0;          ///< the paper's reduction: distance to the next crack [m]; 0: the consistent one, which has
+  double l_g = 0; ///< the length of bar that each face of the crack stands for [m], and
+  double l_b = 0; ///< half the distance of cracks [m]
   bool dowel = true;
 };
 
@@ -44,6 +47,7 @@ struct BarJointHistory {
   double sigma = 0;      ///< stress of the bar at the crack [Pa]
   double V_s = 0;        ///< dowel force [N]
   double strain = 0;     ///< strain of the bar at the crack
+  double at_closing = 0; ///< in a closed crack: its stress once the slip of closing is reached again [Pa]
 };
 
 struct BarJointForce {
@@ -62,10 +66,11 @@ struct BarJointDissipation {
 double activate(BarJointParams const& p, BarJointHistory& h, double S_0, Vec3 t_0, double sigma_cr,
                 double stored) noexcept;
 
-/// Forces at the slip S and the length t_s of the transverse half slip, both counted from activation [m].
-/// Advances the history and adds what the step dissipates [J] to `lost`. A ruptured joint carries nothing.
+/// Forces at the slip S and the length t_s of the transverse half slip, both counted from activation [m];
+/// `touching`: the faces of the crack touch. Advances the history and adds what the step dissipates [J] to
+/// `lost`. A ruptured joint carries nothing.
 BarJointForce bar_joint_force(BarJointParams const& p, BarJointHistory& h, double S, double t_s,
-                              BarJointDissipation& lost) noexcept;
+                              BarJointDissipation& lost, bool touching = false) noexcept;
 
 /// Energy along the bar [J] at the last evaluation: the one at activation, and what unloading along the
 /// current line would give back beyond that. Its change on the elastic line is the work of A_s sigma over 2

@@ -39,11 +39,43 @@ double elastic_strain(BondParams const& p, BondHistory const& h, double s) {
   return s / p.k_e + h.sigma_cr / p.E_s;
 }
 
-void weaken(BondParams const& p, BondHistory& h, double strength) {
+/// Strain on the line along which the bar unloads now: the elastic line, or after yield Eqs. 21, 22 with beta
+/// = 1.
+double line_strain(BondParams const& p, BondHistory const& h, double s) {
+  return h.yielded ? h.eps_max - (h.s_max - s) / h.K : elastic_strain(p, h, s);
+}
+
+double to_normalise(double D, double f_c) {
+  return std::cbrt(std::pow(f_c / MPa / 20, 2)) / D;
+}
+
+void weaken(BondParams const& p, BondHistory& h, double strength, double s) {
   h.curve = bond_curve(p, strength, h.sigma_cr);
+  // A crack that has closed beyond the new yield slip opens again on the line it closed from, and yields from
+  // there on: its strain must not jump.
+  if (!h.yielded && h.closed && s < h.s_closed && h.s_closed > h.curve.s_y)
+    h.eps_max = elastic_strain(p, h, h.s_closed), h.s_max = h.s_closed, h.K = p.k_e, h.yielded = true;
   // A yielded bar goes on from its strain with the new slopes. Jumping to the new curve would stretch the
   // steel without slip, and where its stress is below the envelope that creates energy.
   if (h.yielded) h.shift = monotonic_slip(p, h.curve, h.eps_max) - h.s_max;
+}
+
+/// Strain on the curve of an open crack. Advances the history.
+double open_strain(BondParams const& p, BondHistory& h, double s) {
+  if (!h.yielded) {
+    if (s <= h.curve.s_y) return elastic_strain(p, h, s);
+    h.yielded = true;
+    // A bar that shear has left less strength than the stress it had when the crack opened yields at a larger
+    // strain than the curve begins with, and goes on from there.
+    double const now = elastic_strain(p, h, h.curve.s_y);
+    if (now > h.curve.eps_y * (1 + 1e-9)) h.shift = monotonic_slip(p, h.curve, now) - h.curve.s_y;
+  } else if (s <= h.s_max) {
+    return line_strain(p, h, s);
+  }
+  h.s_max = s;
+  h.eps_max = monotonic_strain(p, h.curve, s + h.shift);
+  h.K = p.k_e + 2 * (s + h.shift - h.curve.s_y) / (h.eps_max + onset_of_hardening(p, h.curve));
+  return h.eps_max;
 }
 
 } // namespace
@@ -53,18 +85,29 @@ double slip_reduction(double l_cr_over_D) noexcept {
   return std::min(1 - std::exp(-x * x * x), 0.087 * l_cr_over_D);
 }
 
+double mean_over_crack_strain(double x) noexcept {
+  return x <= 1 ? 1 - 0.5 * x : 0.5 / x;
+}
+
+double consistent_reduction(double D, double f_c, double eps_y, double l_g, double l_b) noexcept {
+  double const per_strain = (2 + 3500 * eps_y) / to_normalise(D, f_c); // slip over strain, one crack alone
+  return mean_over_crack_strain(0.5 * l_b / per_strain) * l_g / per_strain;
+}
+
 BondParams make_bond_params(BondInput const& in, SteelParams const& steel) {
   auto require = [](bool ok, char const* what) {
     if (!ok) throw core::Error(core::Failure::input, std::string("bond: ") + what);
   };
   require(in.D > 0, "the bar diameter D must be positive");
   require(in.f_c > 0, "the compressive strength f_c must be positive");
-  require(in.alpha > 0 && in.alpha <= 1, "the reduction alpha must lie in (0, 1]");
+  require(in.alpha > 0, "the reduction alpha must be positive");
+  require(in.l_g >= 0, "the length l_g must not be negative");
   check_steel_params(steel);
   BondParams p;
-  p.normalise = std::cbrt(std::pow(in.f_c / MPa / 20, 2)) / in.D;
+  p.normalise = to_normalise(in.D, in.f_c);
   p.alpha = in.alpha;
   p.k_e = in.alpha * (2 + 3500 * steel.eps_y());
+  p.k_closed = in.l_g * p.normalise;
   p.E_s = steel.E_s, p.f_y = steel.f_y, p.f_u = steel.f_u;
   if (steel.law == SteelLaw::kato) p.eps_sh = steel.eps_sh;
   return p;
@@ -86,23 +129,24 @@ BondCurve bond_curve(BondParams const& p, double strength, double sigma_cr) noex
   return c;
 }
 
-double bond_strain(BondParams const& p, BondHistory& h, double S, double strength) noexcept {
-  if (strength != h.curve.strength) weaken(p, h, strength);
+double closed_slope(BondParams const& p, BondHistory const& h) noexcept {
+  return std::max(p.k_closed, unloading_slope(p, h));
+}
+
+double strain_at_closing(BondParams const& p, BondHistory const& h) noexcept {
+  return line_strain(p, h, h.s_closed);
+}
+
+double bond_strain(BondParams const& p, BondHistory& h, double S, double strength, bool touching) noexcept {
   double const s = S * p.normalise;
-  if (!h.yielded) {
-    if (s <= h.curve.s_y) return elastic_strain(p, h, s);
-    h.yielded = true;
-    // A bar that shear has left less strength than the stress it had when the crack opened yields at a larger
-    // strain than the curve begins with, and goes on from there.
-    double const now = elastic_strain(p, h, h.curve.s_y);
-    if (now > h.curve.eps_y * (1 + 1e-9)) h.shift = monotonic_slip(p, h.curve, now) - h.curve.s_y;
-  } else if (s <= h.s_max) {
-    return h.eps_max - (h.s_max - s) / h.K; // Eqs. 21, 22 with beta = 1
-  }
-  h.s_max = s;
-  h.eps_max = monotonic_strain(p, h.curve, s + h.shift);
-  h.K = p.k_e + 2 * (s + h.shift - h.curve.s_y) / (h.eps_max + onset_of_hardening(p, h.curve));
-  return h.eps_max;
+  if (strength != h.curve.strength) weaken(p, h, strength, s);
+  // A crack that opens again short of where it closed has slid: it follows the line of the closed crack back.
+  if (is_pressed(p, h, S)) return strain_at_closing(p, h) + (s - h.s_closed) / closed_slope(p, h);
+  double const strain = open_strain(p, h, s);
+  bool const closed = touching && p.k_closed > 0;
+  if (closed && !h.closed) h.s_closed = s;
+  h.closed = closed;
+  return strain;
 }
 
 } // namespace fissura::laws

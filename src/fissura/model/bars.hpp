@@ -19,9 +19,12 @@ struct BarProperties {
   double area = 0;           ///< A_s [m2] of one copy
   double diameter = 0;       ///< D [m]
   double initial_strain = 0; ///< eps_0 [-]
-  CrackSpacing crack_spacing = CrackSpacing::automatic;
-  double l_cr = 0; ///< [m] for CrackSpacing::given
-  int copies = 1;  ///< `count` for each line of its curve
+  SlipReduction slip_reduction = default_slip_reduction;
+  CrackLength l_cr_from = CrackLength::automatic; ///< SlipReduction::paper
+  double l_cr = 0;                                ///< [m] for CrackLength::given
+  bool spacing_is_given = false;                  ///< of the cracks, by the deck
+  std::vector<double> crack_spacing; ///< SlipReduction::consistent: per copy, distance of cracks [m]
+  int copies = 1;                    ///< `count` for each line of its curve
 };
 
 /// The straight piece of a bar inside one tet. Its ends P_0 and P_1 are carried by the tet: x = sum w_k x_k.

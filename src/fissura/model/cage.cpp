@@ -109,7 +109,8 @@ class Builder {
     bar.name = cage.name + "_" + name;
     bar.steel = cage.steel;
     bar.diameter = layer.diameter;
-    bar.crack_spacing = cage.crack_spacing, bar.l_cr = cage.l_cr;
+    bar.slip_reduction = cage.slip_reduction, bar.crack_spacing = cage.crack_spacing;
+    bar.l_cr_from = cage.l_cr_from, bar.l_cr = cage.l_cr;
     Vec3 from;
     from[across] = at_across, from[up] = at_up, from[along] = low[along] + end_cover(0);
     Vec3 to = from;
@@ -204,6 +205,7 @@ class Builder {
     bar.steel = cage.stirrup_steel.empty() ? cage.steel : cage.stirrup_steel;
     bar.diameter = d;
     bar.closed = true;
+    bar.slip_reduction = cage.slip_reduction;
     for (auto const& [right, upper] : {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
       Vec3 p;
       p[along] = first + 0.5 * (room - (n - 1) * s);

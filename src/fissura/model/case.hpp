@@ -122,7 +122,12 @@ struct SteelSpec {
   SteelLaw law = SteelLaw::kato;
 };
 
-enum class CrackSpacing { automatic, element_size, given };
+/// How the slip of a bar at a crack is reduced by the next one: Eq. 26, or so that the bar is never stiffer
+/// than steel (docs/theory/bond_slip.md).
+enum class SlipReduction { paper, consistent };
+inline constexpr SlipReduction default_slip_reduction = SlipReduction::paper;
+/// Where the paper's length l_cr comes from.
+enum class CrackLength { automatic, element_size, given };
 struct BarSpec {
   Place place;
   std::string name, steel;
@@ -134,9 +139,11 @@ struct BarSpec {
   int count = 1;
   Vec3 spacing;              ///< offset from one copy to the next
   double initial_strain = 0; ///< imposed elongation (prestress > 0 stretches the steel)
-  CrackSpacing crack_spacing = CrackSpacing::automatic;
-  double l_cr = 0;  ///< [m] for CrackSpacing::given
-  std::string cage; ///< the [[cage]] that made it; empty for a bar of the deck
+  SlipReduction slip_reduction = default_slip_reduction;
+  CrackLength l_cr_from = CrackLength::automatic; ///< SlipReduction::paper
+  double l_cr = 0;                                ///< [m] for CrackLength::given
+  double crack_spacing = 0; ///< SlipReduction::consistent: distance of cracks [m]; 0 = automatic
+  std::string cage;         ///< the [[cage]] that made it; empty for a bar of the deck
 };
 
 /// "4 x 12 mm"
@@ -165,8 +172,9 @@ struct CageSpec {
   BarLayer sides;                    ///< beam: on each side, between bottom and top
   BarLayer bars;                     ///< column: in all, around the section
   StirrupSpec stirrups;
-  CrackSpacing crack_spacing = CrackSpacing::automatic; ///< of the longitudinal bars
-  double l_cr = 0;                                      ///< [m] for CrackSpacing::given
+  SlipReduction slip_reduction = default_slip_reduction;
+  CrackLength l_cr_from = CrackLength::automatic; ///< of the longitudinal bars, as those of BarSpec
+  double l_cr = 0, crack_spacing = 0;             ///< [m], of the longitudinal bars
   std::vector<BarSpec> made; ///< what the cage stands for, until it is moved to Case::bars
 };
 enum class BarBetweenCracks { slip_only, elastic };

@@ -56,6 +56,17 @@ class JointStep {
     return false;
   }
 
+  /// Whether the faces touch where the bar crosses them; not asked where the answer changes nothing.
+  bool touches(laws::BarJointHistory const& h) const {
+    auto const& bond = law_.activated.bond;
+    if (bond.k_closed == 0 || h.ruptured || laws::is_pressed(bond, h.bond, slip_ - h.S_0)) return false;
+    for (int f = joint_.faces_begin; f < joint_.faces_end; ++f) {
+      auto const& face = m_.bars.faces[f];
+      if (separation_at(face, m_.adjacency.shared[face.shared_face], nodes_).opening > 0) return false;
+    }
+    return true;
+  }
+
   /// The bar takes its share of the traction in the undamaged faces (docs/theory/bars.md, "Before cracking").
   void follow_concrete() {
     double const sigma = law_.intact.stress(now_.axial) + law_.prestress;
@@ -89,7 +100,7 @@ class JointStep {
     bool const was_whole = !h.ruptured;
     double const t_1 = now_.t_1 - h.t_0.x, t_2 = now_.t_2 - h.t_0.y, t_s = std::hypot(t_1, t_2);
     laws::BarJointDissipation lost;
-    auto const force = laws::bar_joint_force(law_.activated, h, slip_ - h.S_0, t_s, lost);
+    auto const force = laws::bar_joint_force(law_.activated, h, slip_ - h.S_0, t_s, lost, touches(h));
     book(lost, was_whole && h.ruptured);
     Vec3 const across =
         t_s > 0 ? (t_1 / t_s) * Vec3(now_.across_1) + (t_2 / t_s) * Vec3(now_.across_2) : Vec3{};

@@ -10,6 +10,7 @@
 #include "fissura/core/ensure.hpp"
 #include "fissura/geometry/tet.hpp"
 #include "fissura/geometry/triangle.hpp"
+#include "fissura/rebar/crack_spacing.hpp"
 #include "fissura/rebar/merge_short.hpp"
 #include "fissura/rebar/polyline.hpp"
 #include "fissura/rebar/trace.hpp"
@@ -32,8 +33,9 @@ model::BarProperties properties_of(model::BarSpec const& bar, std::span<model::S
     throw core::InputError(bar.place,
                            fmt::format("bar '{}' needs a diameter or an area above zero", bar.name));
   p.initial_strain = bar.initial_strain;
-  p.crack_spacing = bar.crack_spacing;
-  p.l_cr = bar.l_cr;
+  p.slip_reduction = bar.slip_reduction;
+  p.l_cr_from = bar.l_cr_from, p.l_cr = bar.l_cr;
+  p.spacing_is_given = bar.crack_spacing > 0;
   return p;
 }
 
@@ -185,9 +187,11 @@ void warn(Embedding& out, int bar) {
   for (auto const& j : out.bars.joints) {
     if (j.bar != bar) continue;
     ++joints;
-    double const l = crack_length(p, j);
-    long_cracks += l > 10 * p.diameter;
-    largest_l = std::max(largest_l, l);
+    if (p.slip_reduction == model::SlipReduction::paper) {
+      double const l = crack_length(p, j);
+      long_cracks += l > 10 * p.diameter;
+      largest_l = std::max(largest_l, l);
+    }
     largest_h = std::max(largest_h, j.h);
   }
   if (hanging > 0)
@@ -208,16 +212,20 @@ void warn(Embedding& out, int bar) {
 
 } // namespace
 
+double length_of_face(model::BarJoint const& joint) {
+  return (joint.length_a + joint.length_b) / 4;
+}
+
 double crack_length(model::BarProperties const& bar, model::BarJoint const& joint) {
-  switch (bar.crack_spacing) {
-  case model::CrackSpacing::given:
+  switch (bar.l_cr_from) {
+  case model::CrackLength::given:
     return bar.l_cr;
-  case model::CrackSpacing::element_size:
+  case model::CrackLength::element_size:
     return joint.h / 2;
-  case model::CrackSpacing::automatic:
+  case model::CrackLength::automatic:
     break;
   }
-  return (joint.length_a + joint.length_b) / 4;
+  return length_of_face(joint);
 }
 
 double EmbeddingReport::length() const {
@@ -248,6 +256,9 @@ Embedding embed_bars(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency,
     auto const axes = axes_of(spec, mesh);
     int const lines = static_cast<int>(axes.size());
     out.bars.properties.back().copies = report.copies = spec.count * lines;
+    if (spec.slip_reduction == model::SlipReduction::consistent)
+      out.bars.properties.back().crack_spacing.assign(static_cast<std::size_t>(report.copies),
+                                                      spec.crack_spacing);
     report.shortest = std::numeric_limits<double>::infinity();
     for (int copy = 0; copy < report.copies; ++copy) {
       Polyline const line = polyline_of(spec, axes[static_cast<std::size_t>(copy % lines)], copy / lines);
@@ -264,6 +275,7 @@ Embedding embed_bars(mesh::Mesh const& mesh, mesh::Adjacency const& adjacency,
     out.report.bars.push_back(report);
     warn(out, static_cast<int>(b));
   }
+  set_crack_spacings(mesh, grid, out.bars);
   return out;
 }
 

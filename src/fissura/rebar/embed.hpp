@@ -38,7 +38,9 @@ struct Embedding {
   std::vector<std::string> warnings;
 };
 
-/// Half the length of bar over which a crack is fed, l_cr [m]: (L_1 + L_2)/4, or h/2 of the faces, or as
+/// The length of bar that each side of a joint stands for, l_g = (L_1 + L_2)/4 [m].
+double length_of_face(model::BarJoint const& joint);
+/// Half the length of bar over which a crack is fed, the paper's l_cr [m]: l_g, or h/2 of the faces, or as
 /// given.
 double crack_length(model::BarProperties const& bar, model::BarJoint const& joint);
 

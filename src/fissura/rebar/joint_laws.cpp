@@ -62,9 +62,17 @@ model::BarJointLaw law_of(model::Model const& m, model::BarJoint const& j) {
   law.prestress = bar.steel.E_s * bar.initial_strain;
   law.intact = laws::uncracked_bar_joint(bar.steel.E_s / concrete.E, 1, series.compliance, series.f_t,
                                          bar.area, series.crackable && !series.straight);
-  if (law.crackable)
-    law.activated = laws::make_bar_joint_params({bar.diameter, bar.area, steel_params(bar.steel),
-                                                 concrete.f_c, crack_length(bar, j), m.bars.settings.dowel});
+  if (law.crackable) {
+    laws::BarJointInput in;
+    in.D = bar.diameter, in.A_s = bar.area, in.steel = steel_params(bar.steel), in.f_c = concrete.f_c;
+    in.dowel = m.bars.settings.dowel;
+    if (bar.slip_reduction == model::SlipReduction::paper) {
+      in.l_cr = crack_length(bar, j);
+    } else {
+      in.l_g = length_of_face(j), in.l_b = 0.5 * bar.crack_spacing[static_cast<std::size_t>(j.copy)];
+    }
+    law.activated = laws::make_bar_joint_params(in);
+  }
   return law;
 }
 

@@ -19,6 +19,7 @@
 #include "fissura/model/make_joints.hpp"
 #include "fissura/model/make_points.hpp"
 #include "fissura/model/presets.hpp"
+#include "fissura/rebar/crack_spacing.hpp"
 #include "fissura/rebar/rebar.hpp"
 #include "fissura/sim/advice.hpp"
 #include "fissura/sim/bar_doubts.hpp"
@@ -63,6 +64,7 @@ void note_assumptions(Model const& m, BuildReport& report) {
                                          c.name, cohesion * 1e-6, c.friction_angle * 180 / std::numbers::pi));
     }
   }
+  for (auto& line : rebar::describe_slip(m.bars)) report.notes.push_back(std::move(line));
   for (int axis = 0; axis < 3; ++axis) {
     auto const worst = model::weakest_plane(m, axis);
     if (worst.stress > 0)

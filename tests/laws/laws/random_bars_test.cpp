@@ -96,15 +96,26 @@ BarJointParams any_joint(Random& r, SteelLaw law, bool dowel) {
   return make_bar_joint_params(in);
 }
 
+/// One with the consistent reduction, whose closed cracks follow a line of their own.
+BarJointParams any_consistent_joint(Random& r, SteelLaw law, bool dowel) {
+  BarJointInput in;
+  in.D = r.log_uniform(5e-3, 0.05), in.A_s = 0.785 * in.D * in.D * r.uniform(1, 4);
+  in.f_c = r.log_uniform(10e6, 120e6), in.dowel = dowel;
+  in.l_g = in.D * r.log_uniform(0.3, 30), in.l_b = in.D * r.log_uniform(0.5, 30);
+  in.steel = any_steel(r, law);
+  return make_bar_joint_params(in);
+}
+
 /// A bar joint on its way: all that the next step depends on.
 struct BarPoint {
   BarJointHistory h{};
   double S = 0, t = 0;
   BarJointForce force{};
+  bool touching = false;
 
   BarJointForce go(BarJointParams const& p, double S_next, double t_next, BarJointDissipation& lost) {
     S = S_next, t = t_next;
-    return force = bar_joint_force(p, h, S_next, t_next, lost);
+    return force = bar_joint_force(p, h, S_next, t_next, lost, touching);
   }
 };
 /// A step that is to be taken again in small pieces.
@@ -190,7 +201,8 @@ struct BarDriver {
   }
 };
 
-BarFindings drive_joint(BarJointParams const& p, Random& r) {
+/// `closes`: the faces of the crack touch on some of the legs, from and to a step at random.
+BarFindings drive_joint(BarJointParams const& p, Random& r, bool closes = false) {
   BarDriver d{p};
   d.open_crack(r);
   double const at_yield = p.energy_factor * p.bond.k_e * p.steel.f_y * p.steel.f_y;
@@ -198,7 +210,12 @@ BarFindings drive_joint(BarJointParams const& p, Random& r) {
   double const offset = p.with_dowel ? p.D * r.log_uniform(1e-4, 0.3) : 0;
   for (int leg = 0; leg < 8; ++leg) {
     double const S = d.x.S, t = d.x.t, S_to = r.uniform(-0.1, 1) * reach, t_to = r.uniform(0, 1) * offset;
-    for (int i = 1; i <= 500; ++i) d.step(S + (S_to - S) * i / 500, t + (t_to - t) * i / 500);
+    int const first = closes && r.chance(0.7) ? 1 + static_cast<int>(r.uniform(0, 500)) : 501,
+              last = closes ? first + static_cast<int>(r.uniform(0, 700)) : 0;
+    for (int i = 1; i <= 500; ++i) {
+      d.x.touching = i >= first && i < last;
+      d.step(S + (S_to - S) * i / 500, t + (t_to - t) * i / 500);
+    }
   }
   BarFindings f;
   f.trouble = d.trouble;
@@ -208,13 +225,15 @@ BarFindings drive_joint(BarJointParams const& p, Random& r) {
   return f;
 }
 
-/// The worst of random bar joints, without and with dowel.
-BarFindings worst_joint(SteelLaw law) {
+/// The worst of random bar joints, without and with dowel; `closes`: with the consistent reduction, in cracks
+/// that close and open.
+BarFindings worst_joint(SteelLaw law, bool closes = false) {
   BarFindings worst;
   for (bool const dowel : {false, true})
     for (int i = 0, n = random_count(300); i < n; ++i) {
       Random r(static_cast<unsigned>(i));
-      auto const f = drive_joint(any_joint(r, law, dowel), r);
+      auto const p = closes ? any_consistent_joint(r, law, dowel) : any_joint(r, law, dowel);
+      auto const f = drive_joint(p, r, closes);
       if (!f.trouble.empty() && worst.trouble.empty())
         worst.trouble = f.trouble + ", path " + std::to_string(i) + (dowel ? " with dowel" : "");
       worst.imbalance = std::max(worst.imbalance, f.imbalance), worst.dip = std::max(worst.dip, f.dip);
@@ -246,6 +265,26 @@ TEST(RandomPaths, bar_joints) {
 // that was put in, just past its round yield point.
 TEST(RandomPaths, bar_joints_of_menegotto_pinto) {
   auto const worst = worst_joint(SteelLaw::menegotto_pinto);
+  EXPECT_EQ(worst.trouble, "");
+  EXPECT_LT(worst.imbalance, 1e-9);
+  EXPECT_LT(worst.created, 2e-3);
+  EXPECT_LT(worst.dip, 0.065);
+  EXPECT_LT(worst.jump, 1e-4);
+}
+
+// Requirement: the same in cracks that close and open at any time. What comes out beyond all that was put in
+// is, without dowel, the trapezoid over the kink where a crack closes (1e-7), and with dowel up to 2e-4 where
+// shear weakens a closed bar below its stress at cracking (2e4 random ones).
+TEST(RandomPaths, bar_joints_in_closing_cracks) {
+  auto const worst = worst_joint(SteelLaw::kato, true);
+  EXPECT_EQ(worst.trouble, "");
+  EXPECT_LT(worst.imbalance, 1e-9);
+  EXPECT_LT(worst.created, 1e-3);
+  EXPECT_LT(worst.dip, 0.03);
+  EXPECT_LT(worst.jump, 1e-4);
+}
+TEST(RandomPaths, bar_joints_of_menegotto_pinto_in_closing_cracks) {
+  auto const worst = worst_joint(SteelLaw::menegotto_pinto, true);
   EXPECT_EQ(worst.trouble, "");
   EXPECT_LT(worst.imbalance, 1e-9);
   EXPECT_LT(worst.created, 2e-3);

@@ -301,7 +301,7 @@ TEST(Deck, ReadsEveryKey) {
   EXPECT_EQ(c.bars[0].spacing, (Vec3{0, 0.03, 0}));
   EXPECT_NEAR(c.bars[1].diameter, std::sqrt(4 * 1.02e-4 / std::numbers::pi), 1e-17);
   EXPECT_EQ(c.bars[1].area, 1.02e-4);
-  EXPECT_EQ(c.bars[1].crack_spacing, model::CrackSpacing::given);
+  EXPECT_EQ(c.bars[1].l_cr_from, model::CrackLength::given);
   EXPECT_EQ(c.bar_settings.between_cracks, model::BarBetweenCracks::elastic);
   EXPECT_FALSE(c.bar_settings.dowel);
   EXPECT_EQ(c.stages[0].mass_damping, 274);

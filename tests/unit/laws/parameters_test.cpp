@@ -76,7 +76,7 @@ TEST(Parameters, of_bar_joints) {
   expect_refusals<Bond>(Bond{0.016, 30e6, 1},
                         {{&Bond::D, 0, "bond: the bar diameter D must be positive"},
                          {&Bond::f_c, 0, "bond: the compressive strength f_c must be positive"},
-                         {&Bond::alpha, 1.1, "bond: the reduction alpha must lie in (0, 1]"}},
+                         {&Bond::l_g, -1, "bond: the length l_g must not be negative"}},
                         [](Bond const& i) { make_bond_params(i, steel()); });
   using Dowel = DowelInput;
   expect_refusals<Dowel>(Dowel{0.016, 2e-4, 2e11, 5e8, 3e7},
