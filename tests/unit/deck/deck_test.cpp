@@ -104,11 +104,13 @@ points = [["20 mm", "30 mm", "35 mm"], ["4.48 m", "30 mm", "35 mm"]]
 count = 4
 spacing = ["0 mm", "30 mm", "0 mm"]
 initial_strain = 1e-4
+slip_reduction = "paper"
 [[bar]]
 steel = "S420"
 area = "1.02 cm2"
 points = [["1 m", "30 mm", "35 mm"], ["1 m", "120 mm", "35 mm"], ["1 m", "120 mm", "215 mm"]]
 closed = true
+slip_reduction = "paper"
 l_cr = "100 mm"
 [bars]
 between_cracks = "elastic"

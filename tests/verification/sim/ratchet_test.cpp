@@ -13,6 +13,7 @@ model::Case released_tie(model::SteelLaw law) {
   auto c = tie_case({4, 1, 1}, 0.3, 0);
   c.motions.clear();
   c.bars[0] = straight_bar({0, 0.05, 0.05}, {0.6, 0.05, 0.05}, 0.02);
+  c.bars[0].slip_reduction = model::SlipReduction::paper;
   c.bars[0].l_cr_from = model::CrackLength::given, c.bars[0].l_cr = 0.15;
   c.bars[0].place = {"case.toml", 25, 1};
   c.steels[0].law = law;
