@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fissura::laws {
 
@@ -103,8 +102,14 @@ void SteelKato::weaken(KatoHistory& h) const noexcept {
   if (h.ruptured || h.direction == 0) return;
   auto const& p = params;
   if (is_beyond_yield(p, h.strain)) h.eps_largest = std::max(h.eps_largest, h.strain);
-  double const none = std::numeric_limits<double>::infinity();
-  laws::weaken(KatoBranches{p, h}, h, h.stress > 0 ? tensile_limit(p, h.strain) : -none);
+  KatoBranches const branches{p, h};
+  // In compression the bound is the branch the bar is on, or has left.
+  bool const has_left = h.direction > 0 && !h.falling.empty();
+  double const limit = h.stress > 0      ? tensile_limit(p, h.strain)
+                       : h.direction < 0 ? branches.stress_on(h.now, -1, h.strain)
+                       : has_left        ? branches.stress_on(h.falling.innermost(), -1, h.strain)
+                                         : h.stress;
+  laws::weaken(branches, h, limit);
 }
 
 } // namespace fissura::laws
