@@ -166,6 +166,11 @@ void add_elasticity(Fields<ConcreteSpec>& f, std::vector<Key>& keys) {
        "density_factor", &ConcreteSpec::density_factor,
        "Mass scaling: multiplies the inertia (not the weight) for longer steps; the added mass is reported.")
       .positive();
+  f.word("elastic", &ConcreteSpec::elastic,
+         {{"as_given", model::Elasticity::as_given}, {"compensated", model::Elasticity::compensated}},
+         "Elastic constants of the tets: `E` and `nu`, so that the body is softer by its joints, or stiffer "
+         "by what "
+         "their joints add, so that the body has them.");
   f.word("tet_law", &ConcreteSpec::tet_law,
          {{"hyperelastic", model::TetLaw::hyperelastic}, {"paper", model::TetLaw::paper}},
          "Law of the tetrahedra; equal at small strain.");

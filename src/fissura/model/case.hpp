@@ -68,6 +68,8 @@ struct Curve {
 
 // ---- materials --------------------------------------------------------------------------------------------
 enum class TetLaw { hyperelastic, paper };
+/// Whether tets have E and nu as they are given, or are stiffer by what their joints add in compliance.
+enum class Elasticity { as_given, compensated };
 enum class JointLaw { energy_consistent, paper };
 enum class ShearStrength { mohr_coulomb, constant };
 enum class ElementSize { volume, joint_edge, given }; ///< the h of o_p = 2 h f_t/p
@@ -88,6 +90,7 @@ struct ConcreteSpec {
   double G_f = 0;            ///< mode I [J/m2]; 0 = 73 f_cm^0.18 (fib MC2010) with f_cm = f_c
   double G_s = 0;            ///< mode II; 0 = G_f
   TetLaw tet_law = TetLaw::hyperelastic;
+  Elasticity elastic = Elasticity::as_given;
   double mu_bar = 0;     ///< viscous damping [Pa s]
   bool joints = true;    ///< false: tets of this material are bonded to each other, no joints between them
   bool crackable = true; ///< false: its joints stay linear elastic

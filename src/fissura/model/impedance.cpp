@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "fissura/model/elasticity.hpp"
+
 namespace fissura::model {
 
 namespace {
@@ -69,13 +71,14 @@ Mat3 joint_fabric(Model const& m, int concrete) {
 SixBySix jointed_stiffness(Model const& m, int concrete) {
   auto const& c = m.source.concretes[static_cast<std::size_t>(concrete)];
   Mat3 const B = joint_fabric(m, concrete);
+  auto const e = compensated(c, c.elastic == Elasticity::compensated ? trace(B) / 3 : 0);
   SixBySix compliance;
   for (std::size_t i = 0; i < 6; ++i) {
     Six stress{};
     stress[i] = 1;
     Mat3 const sigma = tensor_of(stress), opened = 0.5 * (sigma * B + B * sigma);
     compliance[i] =
-        six_of(((1 + c.nu) / c.E) * sigma - (c.nu / c.E * trace(sigma)) * Mat3::identity() + opened);
+        six_of(((1 + e.nu) / e.E) * sigma - (e.nu / e.E * trace(sigma)) * Mat3::identity() + opened);
   }
   return inverse_of(compliance);
 }

@@ -2,16 +2,13 @@
 #include <array>
 #include <numeric>
 
+#include "fissura/model/elasticity.hpp"
 #include "fissura/model/make_blocks.hpp"
 #include "fissura/model/make_joints.hpp"
 
 namespace fissura::model {
 
 namespace {
-
-std::array<double, 3> moduli_of(ConcreteSpec const& c) {
-  return {c.E / (2 * (1 + c.nu)), c.E * c.nu / ((1 + c.nu) * (1 - 2 * c.nu)), c.mu_bar};
-}
 
 /// Padding lanes: identity edges, no volume, no mass.
 void make_tet_data(Model& m) {
@@ -49,9 +46,19 @@ void make_tet_data(Model& m) {
       for (int r = 0; r < 3; ++r) m.position(4 * i + a, r) = x[a][r];
     }
   }
+}
+
+/// G, lambda and viscosity, once the joints are known.
+void make_moduli(Model& m) {
+  auto& t = m.tets;
+  auto const compliance = joint_compliance(m);
   auto const last = static_cast<std::size_t>(t.count - 1); // padding is of the last tet's concrete
-  t.moduli = SharedRows<3, block>(
-      n, [&](std::size_t i) { return moduli_of(m.source.concretes[m.material_of_tet[std::min(i, last)]]); });
+  t.moduli = SharedRows<3, block>(t.blocks() * block, [&](std::size_t i) -> std::array<double, 3> {
+    std::size_t const tet = std::min(i, last);
+    auto const& c = m.source.concretes[static_cast<std::size_t>(m.material_of_tet[tet])];
+    auto const e = compensated(c, compliance[tet]);
+    return {e.G(), e.lame(), c.mu_bar};
+  });
 }
 
 int find_root(std::vector<int>& parent, int i) {
@@ -110,6 +117,7 @@ void check_tet_count(std::size_t tets) {
 void make_blocks(Model& m) {
   make_tet_data(m);
   make_joints(m);
+  make_moduli(m);
   make_bonding(m);
   renew_inverse_masses(m);
 }
